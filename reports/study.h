@@ -1,0 +1,87 @@
+// study.h: a study, that is scenes x references x lights, as complete values for the writers.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "scene/picture.h"
+
+namespace litmus {
+
+inline constexpr int kResultsSchemaVersion = 1;
+
+/// One row of results.json: one light of one scene against one reference in one region.
+struct Comparison {
+  std::string scene;       ///< canonical name or file stem
+  std::string reference;   ///< "povray" | "blender"
+  std::string source;      ///< "live" | "stored" | "" (skipped)
+  std::string light;       ///< the light's name, "ambient" or "all"
+  std::string light_type;  ///< "directional" | "point" | "spot" | "area" | "ambient" | "all"
+  std::string region;      ///< "interior" | "edge" | "all"
+  std::int64_t pixels = 0;
+  std::int64_t nonfinite = 0;       ///< pixels that are NaN or infinite in either picture
+  double bias = 0;                  ///< mean of ours - theirs over pixels and channels
+  double mean_abs = 0;
+  double max_abs = 0;
+  std::array<int, 2> max_at{0, 0};  ///< x, y of the largest difference
+  double rmse = 0;
+  double p50 = 0, p95 = 0, p99 = 0, p999 = 0;  ///< percentiles of |ours - theirs|
+  double max_relative = 0;          ///< largest |ours - theirs| / max(|theirs|, 1e-3)
+  std::int64_t over_tolerance = 0;  ///< pixels beyond the tolerance
+  std::int64_t explained = 0;       ///< of those, boundary pixels whose cause is known (see `causes`)
+  double tolerance = 0;             ///< on max_abs
+  double mean_tolerance = 0;        ///< on mean_abs
+  std::string verdict;              ///< "pass" | "fail" | "skipped"
+  std::string reason;               ///< why it failed or was skipped, or what a pass rests on; may be empty
+  std::vector<std::string> causes;  ///< one sentence per listed pixel
+};
+
+/// What one light adds, by litmus and by each reference.
+struct CaseLayer {
+  struct Theirs {
+    std::string reference, source;
+    Picture picture;  ///< empty (0 x 0) if there is none
+  };
+  std::string light, light_type;
+  Picture ours;
+  std::vector<std::uint8_t> edge;  ///< 1 where the pixel is an edge, width * height
+  std::vector<Theirs> theirs;
+};
+
+struct CaseReference {
+  std::string reference, source;       ///< source as in Comparison
+  std::string version, command;        ///< of the renderer
+  double seconds = 0;                  ///< rendering alone, as the renderer reports it
+  std::string failure, log;            ///< log: the end of its text; empty when all is well
+};
+
+struct Case {
+  std::string scene, file, about;
+  std::vector<std::string> tags, warnings;
+  int width = 0, height = 0;
+  double seconds = 0;                  ///< ours, rendering alone
+  std::vector<CaseReference> references;
+  std::vector<CaseLayer> layers;       ///< ambient, each light, then "all"
+};
+
+/// Everything about a run that may differ between two runs of identical inputs.
+struct Provenance {
+  std::string litmus_version, commit, compiler, flags, cpu, system, command, started;
+  int threads = 0;
+  double seconds = 0;
+  std::vector<std::array<std::string, 2>> versions;  ///< renderer or library, version
+};
+
+struct Study {
+  Provenance provenance;
+  std::vector<Case> cases;
+  std::vector<Comparison> comparisons;
+};
+
+/// "pass", "fail" (a row failed), "incomplete" (a row was skipped, none failed) or "broken" (a renderer
+/// failed where it was asked for).
+std::string overall_verdict(const Study& study);
+
+}  // namespace litmus
