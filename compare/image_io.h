@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <span>
 #include <string>
 
 #include "scene/picture.h"
@@ -12,28 +13,36 @@ namespace litmus {
 
 using Metadata = std::map<std::string, std::string>;
 
-/// The largest image that is read, in bytes of decoded pixels. The header is checked first: a file of
-/// 1.5 MB can hold 16000 x 16000 pixels.
+/// The largest image that is read, in bytes of decoded pixels. The header is checked first: a file
+/// of 1.5 MB can hold 16000 x 16000 pixels.
 inline constexpr std::int64_t kMaximumImageBytes = std::int64_t{1} << 30;
 
 /// Writes 32-bit float EXR, one part per layer (the part is named after the light, its type is the
-/// attribute "litmus:light_type"), lossless. The file appears whole or not at all (temporary + rename).
-/// Throws Refusal naming the file.
-void write_layers(const std::filesystem::path& file, const Layers& layers, const Metadata& metadata = {});
+/// attribute "litmus:light_type"), lossless but for metadata with an empty value. The layers have
+/// one size and different names. The file appears whole or not at all (temporary + rename). Throws
+/// Refusal naming the file.
+void write_layers(const std::filesystem::path& file, const Layers& layers,
+                  const Metadata& metadata = {});
 
 /// Reads what write_layers wrote. Throws Refusal naming the file and what is wrong with it.
 Layers read_layers(const std::filesystem::path& file);
 Metadata read_metadata(const std::filesystem::path& file);
 
 /// One picture as one-part 32-bit float EXR.
-void write_picture(const std::filesystem::path& file, const Picture& picture, const Metadata& metadata = {});
+void write_picture(const std::filesystem::path& file, const Picture& picture,
+                   const Metadata& metadata = {});
 
-/// Reads the first three channels (one grey channel is tripled) of a file's first part: EXR, PFM, HDR
-/// as stored, PNG as code value / maximum code value, without any transfer function. Throws Refusal on a
-/// missing or damaged file, on two or no channels, and above kMaximumImageBytes.
+/// Reads the first three channels (one grey channel is tripled) of a file's first part: EXR, PFM,
+/// HDR as stored, PNG as code value / maximum code value, without any transfer function. Throws
+/// Refusal on a missing or damaged file, on two or no channels, and above kMaximumImageBytes.
+/// Damage inside a part that did not compress goes unnoticed: whoever keeps images keeps checksums.
 Picture read_picture(const std::filesystem::path& file);
 
-/// 8-bit sRGB PNG for people, exposure 1, values clipped to [0, 1], as bytes (for embedding).
+/// 8-bit sRGB PNG for people, exposure 1, values clipped to [0, 1], as bytes (for embedding). A
+/// pixel that is not finite is magenta.
 std::string encode_png(const Picture& picture);
+
+/// The same from display values as they are: width * height * 3 bytes, row by row.
+std::string encode_png(int width, int height, std::span<const std::uint8_t> rgb);
 
 }  // namespace litmus
