@@ -1,0 +1,72 @@
+// plan.h: a scene made ready for the kernel: unit vectors, expanded lights, one list per kind of surface.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "scene/scene.h"
+#include "tracer/bvh.h"
+#include "tracer/lights.h"
+
+namespace litmus {
+
+/// A surface and the object it belongs to (index into Scene::objects).
+template <class Shape>
+struct Part {
+  Shape shape;
+  int object;
+};
+
+/// What a hit needs to know of a triangle besides its corners.
+template <Real R>
+struct TriangleInfo {
+  int object;
+  Vec<R> normal;                   ///< geometric, unit
+  std::array<Vec<R>, 3> normals;   ///< of the corners, if smooth
+  bool smooth = false;
+};
+
+template <Real R>
+struct Finish {
+  Vec<R> ambient, diffuse, specular;
+  R shininess;
+  bool shiny;
+};
+
+/// The lamps of one light: one, or the samples of its area.
+template <Real R>
+struct Source {
+  std::vector<Lamp<R>> lamps;
+  R weight{1};               ///< 1 / number of lamps
+  Vec<R> diffuse, specular;  ///< intensity times colour
+};
+
+template <Real R>
+struct View {
+  bool orthographic;
+  Vec<R> eye, forward, right, up;  ///< right and up reach from the picture's centre to its border
+  int width, height, samples;
+};
+
+template <Real R>
+struct Plan {
+  View<R> view;
+  std::vector<Part<SphereSurface<R>>> spheres;
+  std::vector<Part<PlaneSurface<R>>> planes;
+  std::vector<Part<BoxSurface<R>>> boxes;
+  std::vector<std::array<Vec<R>, 3>> triangles;
+  std::vector<TriangleInfo<R>> triangle_info;
+  Bvh<R> bvh;
+  std::vector<char> camera_visible;     ///< per object
+  std::vector<Finish<R>> finishes;      ///< per object
+  std::vector<Source<R>> sources;       ///< per light
+  Vec<R> ambient;                       ///< Ia: the scene's and every light's, added once
+  bool shadows = true;
+  bool sample_code = false;
+};
+
+/// Lowers a scene to the scalar R. Lights that cannot light anything have no lamps.
+template <Real R>
+Plan<R> lower(const Scene& scene);
+
+}  // namespace litmus

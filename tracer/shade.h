@@ -1,0 +1,54 @@
+// shade.h: how a surface answers light (slide 5), as the slide's equation and as its sample code.
+#pragma once
+
+#include "scene/scene.h"
+#include "tracer/value.h"
+
+namespace litmus {
+
+/// What a light does to a point apart from all colours: the factors of kd Id and of ks Is in slide 5.
+template <Real R>
+struct Terms {
+  R diffuse{};   ///< D = visibility * attenuation * (l.n)
+  R specular{};  ///< S = visibility * attenuation * (h.n)^ns
+};
+
+/// (h.n)^ns with h = normalize(l + e), slide 5; 0 where h.n <= 0 and for e = -l. All vectors are unit.
+/// As exp(ns log1p(-|n - h|^2 / 2)), which never exceeds 1 and keeps its digits for a large ns: near the peak
+/// h.n itself has lost them.
+template <Real R>
+R specular_power(const Vec<R>& l, const Vec<R>& e, const Vec<R>& n, R shininess) {
+  using std::exp, std::log1p;
+  const Direction<R> half = direction_of(l + e);
+  if (half.length == 0 || !(dot(half.unit, n) > 0)) return 0;
+  const Vec<R> apart = n - half.unit;
+  const R shortfall = dot(apart, apart) / 2;
+  return shortfall < 1 ? R(exp(shininess * log1p(-shortfall))) : R(0);
+}
+
+/// The equation's gate: a light behind the surface adds nothing, specular included.
+template <Real R>
+Terms<R> equation_terms(const Vec<R>& l, const Vec<R>& e, const Vec<R>& n, R shininess, R intensity,
+                        bool wants_specular) {
+  const R cosine = dot(l, n);
+  if (!(cosine > 0)) return {};
+  return {intensity * cosine,
+          wants_specular ? R(intensity * specular_power(l, e, n, shininess)) : R(0)};
+}
+
+/// The sample code's reading: the specular term is not gated on n.l. (n.h is clamped at 0 so that it is finite.)
+template <Real R>
+Terms<R> sample_code_terms(const Vec<R>& l, const Vec<R>& e, const Vec<R>& n, R shininess,
+                           R intensity, bool wants_specular) {
+  const R cosine = dot(l, n);
+  return {cosine > 0 ? R(intensity * cosine) : R(0),
+          wants_specular ? R(intensity * specular_power(l, e, n, shininess)) : R(0)};
+}
+
+/// One channel of one light's answer: kd Id D + ks Is S, slide 5.
+template <Real R>
+R reflected(const Terms<R>& terms, R diffuse, R light_diffuse, R specular, R light_specular) {
+  return diffuse * light_diffuse * terms.diffuse + specular * light_specular * terms.specular;
+}
+
+}  // namespace litmus
