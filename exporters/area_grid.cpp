@@ -28,7 +28,7 @@ double offset(int index, int count, double size, Placement placement) {
 
 }  // namespace
 
-AreaFrame area_frame(const AreaLight& light) {
+GridAxes grid_axes(const AreaLight& light) {
   const Vector n = unit(light.normal.value_or(-light.point.origin),
                         "normal: has no length; a light at the origin needs a normal of its own");
   Vector right(1, 0, 0);
@@ -50,7 +50,7 @@ std::vector<Point> area_samples(const AreaLight& light) {
   if (light.columns < 1 || light.rows < 1) {
     throw Refusal("area light: columns and rows: must be at least 1");
   }
-  const AreaFrame frame = area_frame(light);
+  const GridAxes frame = grid_axes(light);
   std::vector<Point> samples;
   samples.reserve(std::size_t(light.columns) * std::size_t(light.rows));
   for (int row = 0; row < light.rows; ++row) {

@@ -20,9 +20,9 @@ namespace litmus {
 std::vector<Point> area_samples(const AreaLight& light);
 
 /// The unit vectors of that frame.
-struct AreaFrame {
+struct GridAxes {
   Vector right, up, normal;
 };
-AreaFrame area_frame(const AreaLight& light);
+GridAxes grid_axes(const AreaLight& light);
 
 }  // namespace litmus

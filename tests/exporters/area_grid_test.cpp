@@ -84,7 +84,7 @@ TEST(AreaGrid, TheFrameOfTheSlideIsOrthonormal) {
   for (const Vector& n : {Vector(0.3, -0.5, 0.7), Vector(-2, 0, 0), Vector(0, 5, -1),
                           Vector(1e-200, 0, 1), Vector(1e-9, -1e-9, -1)}) {
     light.normal = n;
-    const AreaFrame frame = area_frame(light);
+    const GridAxes frame = grid_axes(light);
     EXPECT_NEAR(glm::length(frame.right), 1, 1e-15);
     EXPECT_NEAR(glm::length(frame.up), 1, 1e-15);
     EXPECT_NEAR(glm::dot(frame.right, frame.normal), 0, 1e-15);
@@ -96,16 +96,16 @@ TEST(AreaGrid, TheFrameOfTheSlideIsOrthonormal) {
 TEST(AreaGrid, RightIsUpCrossNormal) {
   AreaLight light = ceiling(1, 1);
   light.normal = Vector(1, 0, 0);  // (0,0,1) x (1,0,0) = (0,1,0)
-  expect_near(area_frame(light).right, {0, 1, 0});
-  expect_near(area_frame(light).up, {0, 0, 1});
+  expect_near(grid_axes(light).right, {0, 1, 0});
+  expect_near(grid_axes(light).up, {0, 0, 1});
 }
 
 TEST(AreaGrid, AtThePolesRightIsX) {
   AreaLight light = ceiling(1, 1);
   for (double z : {1.0, -1.0, 7.5, -1e-300}) {
     light.normal = Vector(0, 0, z);
-    EXPECT_EQ(area_frame(light).right, Vector(1, 0, 0));
-    EXPECT_EQ(area_frame(light).up, Vector(0, z > 0 ? 1 : -1, 0));
+    EXPECT_EQ(grid_axes(light).right, Vector(1, 0, 0));
+    EXPECT_EQ(grid_axes(light).up, Vector(0, z > 0 ? 1 : -1, 0));
   }
 }
 
@@ -113,14 +113,14 @@ TEST(AreaGrid, AMissingNormalPointsToTheOrigin) {
   AreaLight light = ceiling(2, 2);
   light.normal.reset();
   light.point.origin = {3, 0, 4};
-  expect_near(area_frame(light).normal, {-0.6, 0, -0.8});
+  expect_near(grid_axes(light).normal, {-0.6, 0, -0.8});
 }
 
 TEST(AreaGrid, AGivenRightIsMadeOrthogonal) {
   AreaLight light = ceiling(1, 1);
   light.right = Vector(0, 4, 9);
-  EXPECT_EQ(area_frame(light).right, Vector(0, 1, 0));
-  expect_near(area_frame(light).up, {1, 0, 0});  // (0,0,-1) x (0,1,0)
+  EXPECT_EQ(grid_axes(light).right, Vector(0, 1, 0));
+  expect_near(grid_axes(light).up, {1, 0, 0});  // (0,0,-1) x (0,1,0)
 }
 
 TEST(AreaGrid, RefusesWhatHasNoFrame) {
