@@ -1,0 +1,125 @@
+// difference.cpp: the figures of a difference, in one pass and a few partial sorts.
+#include "compare/difference.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace litmus {
+namespace {
+
+// Squares of any double fit: neither sums nor squares below need scaling.
+using Wide = long double;
+static_assert(std::numeric_limits<Wide>::max_exponent10 >= 4000 &&
+              std::numeric_limits<Wide>::min_exponent10 <= -4000);
+
+double narrow(Wide value) {
+  constexpr Wide limit = std::numeric_limits<double>::max();
+  return double(std::clamp(value, -limit, limit));
+}
+
+void check_sizes(const Picture& ours, const Picture& theirs, std::size_t edge_pixels) {
+  if (ours.width != theirs.width || ours.height != theirs.height)
+    throw SizeMismatch(
+        fmt::format("ours is {} x {} pixels, theirs {} x {}: only pictures of one size "
+                    "are compared",
+                    ours.width, ours.height, theirs.width, theirs.height));
+  if (edge_pixels != 0 && edge_pixels != ours.pixels.size())
+    throw SizeMismatch(fmt::format("the edge mask has {} pixels, the pictures {}", edge_pixels,
+                                   ours.pixels.size()));
+}
+
+bool is_in(Region region, bool edge) {
+  return region == Region::All || edge == (region == Region::Edge);
+}
+
+bool is_finite(const glm::dvec3& value) {
+  return std::isfinite(value.x) && std::isfinite(value.y) && std::isfinite(value.z);
+}
+
+struct Sums {
+  Wide signed_sum = 0, absolute = 0, squares = 0;
+  std::vector<double> magnitudes;  // |d| per channel
+};
+
+// Adds one finite pixel's three channels.
+void add(Difference& result, Sums& sums, const glm::dvec3& ours, const glm::dvec3& theirs, int x,
+         int y, double tolerance) {
+  double worst = 0;
+  for (int c = 0; c < 3; ++c) {
+    const Wide d = Wide(ours[c]) - Wide(theirs[c]);
+    const Wide magnitude = std::abs(d);
+    sums.signed_sum += d;
+    sums.absolute += magnitude;
+    sums.squares += d * d;
+    sums.magnitudes.push_back(narrow(magnitude));
+    worst = std::max(worst, narrow(magnitude));
+    const Wide scale = std::max(std::abs(theirs[c]), kRelativeFloor);
+    result.max_relative = std::max(result.max_relative, narrow(magnitude / scale));
+  }
+  if (worst > result.max_abs) {
+    result.max_abs = worst;
+    result.max_at = {x, y};
+  }
+  if (worst > tolerance) result.over.push_back({x, y, worst});
+}
+
+// The smallest value that at least the fraction p of all values do not exceed (nearest rank).
+double percentile(std::vector<double>& values, double p) {
+  const double rank = std::ceil(p * double(values.size()));
+  const auto nth = values.begin() + std::ptrdiff_t(std::max(rank, 1.0)) - 1;
+  std::nth_element(values.begin(), nth, values.end());
+  return *nth;
+}
+
+void finish(Difference& result, Sums& sums) {
+  result.over_tolerance = std::int64_t(result.over.size());
+  std::stable_sort(result.over.begin(), result.over.end(),
+                   [](const auto& a, const auto& b) { return a.max_abs > b.max_abs; });
+  if (sums.magnitudes.empty()) return;
+  const auto count = Wide(sums.magnitudes.size());
+  result.bias = narrow(sums.signed_sum / count);
+  result.mean_abs = narrow(sums.absolute / count);
+  result.rmse = narrow(std::sqrt(sums.squares / count));
+  result.p50 = percentile(sums.magnitudes, 0.5);
+  result.p95 = percentile(sums.magnitudes, 0.95);
+  result.p99 = percentile(sums.magnitudes, 0.99);
+  result.p999 = percentile(sums.magnitudes, 0.999);
+}
+
+}  // namespace
+
+std::string_view name_of(Region region) {
+  switch (region) {
+    case Region::Interior:
+      return "interior";
+    case Region::Edge:
+      return "edge";
+    case Region::All:
+      break;
+  }
+  return "all";
+}
+
+Difference difference(const Picture& ours, const Picture& theirs,
+                      std::span<const std::uint8_t> edge, Region region, double tolerance) {
+  check_sizes(ours, theirs, edge.size());
+  Difference result;
+  Sums sums;
+  for (int y = 0; y < ours.height; ++y)
+    for (int x = 0; x < ours.width; ++x) {
+      const std::size_t i = std::size_t(y) * std::size_t(ours.width) + std::size_t(x);
+      if (!is_in(region, !edge.empty() && edge[i] != 0)) continue;
+      ++result.pixels;
+      if (is_finite(ours.pixels[i]) && is_finite(theirs.pixels[i]))
+        add(result, sums, ours.pixels[i], theirs.pixels[i], x, y, tolerance);
+      else
+        ++result.nonfinite;
+    }
+  finish(result, sums);
+  return result;
+}
+
+}  // namespace litmus
