@@ -52,7 +52,7 @@ enum class Placement {
 
 /// A rectangle approximated by a grid of point lights (slides 19, 20).
 struct AreaLight {
-  PointLight point;              ///< the centre of the rectangle, and the attenuation of each sample
+  PointLight point;  ///< the centre of the rectangle, and the attenuation of each sample
   std::optional<Vector> normal;  ///< absent: from the light towards the origin (slide 20)
   std::optional<Vector> right;   ///< absent: up x n, or (1,0,0) where n is vertical
   double width = 1, height = 1;  ///< along right and along n x right, scene units, >= 0
@@ -130,20 +130,20 @@ struct Camera {
 enum class Shading { Equation, SampleCode };
 
 struct Scene {
-  std::string name;                  ///< the file's stem
-  std::filesystem::path file;        ///< where it was read from
-  std::string about;                 ///< one sentence: what the scene shows
+  std::string name;            ///< the file's stem
+  std::filesystem::path file;  ///< where it was read from
+  std::string about;           ///< one sentence: what the scene shows
   std::vector<std::string> tags;
-  int width = 128, height = 128;     ///< pixels
-  int samples = 1;                   ///< samples x samples box filter per pixel
+  int width = 128, height = 128;  ///< pixels
+  int samples = 1;                ///< samples x samples box filter per pixel
   Camera camera;
-  Color ambient{0};                  ///< the scene's part of Ia
+  Color ambient{0};  ///< the scene's part of Ia
   bool shadows = true;
   Shading shading = Shading::Equation;
   std::vector<Material> materials;
   std::vector<Object> objects;
   std::vector<Light> lights;
-  std::vector<std::string> warnings; ///< what the loader dropped, such as degenerate triangles
+  std::vector<std::string> warnings;  ///< what the loader dropped, such as degenerate triangles
 };
 
 }  // namespace litmus

@@ -81,7 +81,8 @@ struct Builder {
 
     // Split along the longest side of the box of centres, unless all centres coincide.
     const Vec<R> extent = center_box.size();
-    const int axis = extent.x > extent.y ? (extent.x > extent.z ? 0 : 2) : (extent.y > extent.z ? 1 : 2);
+    const int axis =
+        extent.x > extent.y ? (extent.x > extent.z ? 0 : 2) : (extent.y > extent.z ? 1 : 2);
     if (end - begin <= kLeafSize || !(extent[axis] > 0) || depth == kMaximumDepth) {
       bvh.nodes[index].first = std::uint32_t(begin);
       bvh.nodes[index].count = std::uint32_t(end - begin);

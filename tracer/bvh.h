@@ -11,7 +11,8 @@ namespace litmus {
 template <Real R>
 struct BvhNode {
   Vec<R> min, max;
-  std::uint32_t first = 0;  ///< leaf: first entry of `order`; else: the right child (the left one follows)
+  std::uint32_t first =
+      0;  ///< leaf: first entry of `order`; else: the right child (the left one follows)
   std::uint32_t count = 0;  ///< triangles of a leaf; 0 for an inner node
   std::uint32_t axis = 0;   ///< inner node: the axis it was split along
 };
@@ -26,8 +27,8 @@ struct Bvh {
 template <Real R>
 Bvh<R> build_bvh(const std::vector<std::array<Vec<R>, 3>>& triangles);
 
-/// Calls visit(triangle number) -> bool for each triangle whose box the ray meets within ray.limit, nearer
-/// subtrees first; stops when visit returns true. The visitor may shorten ray.limit.
+/// Calls visit(triangle number) -> bool for each triangle whose box the ray meets within ray.limit,
+/// nearer subtrees first; stops when visit returns true. The visitor may shorten ray.limit.
 template <Real R, class Visit>
 void traverse(const Bvh<R>& bvh, Ray<R>& ray, Visit&& visit) {
   if (bvh.nodes.empty()) return;

@@ -36,8 +36,9 @@ struct Chord {
   int enter_face = 0, leave_face = 0;  ///< boxes: axis * 2 + (1 for the upper face)
 };
 
-/// Haines, Guenther and Akenine-Moeller 2019 (Ray Tracing Gems, chapter 7): the discriminant from the distance
-/// of the centre to the ray, which does not cancel for a small far sphere. A tangent is a hit.
+/// Haines, Guenther and Akenine-Moeller 2019 (Ray Tracing Gems, chapter 7): the discriminant from
+/// the distance of the centre to the ray, which does not cancel for a small far sphere. A tangent
+/// is a hit.
 template <Real R>
 Chord<R> intersect(const SphereSurface<R>& sphere, const Ray<R>& ray) {
   using std::sqrt;
@@ -64,7 +65,8 @@ R intersect(const PlaneSurface<R>& plane, const Ray<R>& ray) {
   return dot(plane.point - ray.origin, plane.normal) / slope;
 }
 
-/// Slabs. The comparisons are ordered so that 0 * infinity (a ray in the plane of a face) changes nothing.
+/// Slabs. The comparisons are ordered so that 0 * infinity (a ray in the plane of a face) changes
+/// nothing.
 template <Real R>
 Chord<R> intersect(const BoxSurface<R>& box, const Ray<R>& ray) {
   constexpr R kInfinity = std::numeric_limits<R>::infinity();
@@ -84,8 +86,8 @@ Chord<R> intersect(const BoxSurface<R>& box, const Ray<R>& ray) {
   return chord;
 }
 
-/// A ray in the coordinates of Woop, Benthin and Wald 2013 (Watertight Ray/Triangle Intersection): the largest
-/// component of its direction becomes z, and shearing makes it the z axis.
+/// A ray in the coordinates of Woop, Benthin and Wald 2013 (Watertight Ray/Triangle Intersection):
+/// the largest component of its direction becomes z, and shearing makes it the z axis.
 template <Real R>
 struct ShearedRay {
   int kx, ky, kz;
@@ -107,8 +109,9 @@ struct TriangleHit {
   R t{-1}, u{}, v{}, w{};
 };
 
-/// Watertight: neighbours that share an edge compute the same edge function, so nothing passes between them.
-/// The edge functions are differences of products with one rounding, which contraction by a compiler cannot change.
+/// Watertight: neighbours that share an edge compute the same edge function, so nothing passes
+/// between them. The edge functions are differences of products with one rounding, which
+/// contraction by a compiler cannot change.
 template <Real R>
 TriangleHit<R> intersect(const std::array<Vec<R>, 3>& triangle, const Ray<R>& ray,
                          const ShearedRay<R>& s) {

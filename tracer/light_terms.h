@@ -10,8 +10,8 @@ namespace litmus {
 template <Real R>
 struct LightTerms {
   Sum<R> diffuse{}, specular{};
-  Sum<R> unoccluded{};            ///< lamps with nothing in between (the sample code's reading only)
-  std::uint64_t signature = 0;    ///< changes with visibility, side and cone membership of any lamp
+  Sum<R> unoccluded{};          ///< lamps with nothing in between (the sample code's reading only)
+  std::uint64_t signature = 0;  ///< changes with visibility, side and cone membership of any lamp
 };
 
 /// Mixes a small number into a signature (the finaliser of splitmix64, Steele et al. 2014).
@@ -34,11 +34,13 @@ LightTerms<R> light_terms(const Plan<R>& plan, const Source<R>& source, const Hi
     const bool shades = dot(light.direction, hit.normal) > 0;
     bool lit = plan.sample_code || (faces && shades && light.intensity > 0);
     if (lit && plan.shadows) lit = !occluded(plan, hit, light);
-    total.signature = mix(total.signature, std::uint64_t(faces) | std::uint64_t(shades) << 1 |
-                                               std::uint64_t(light.in_cone) << 2 | std::uint64_t(lit) << 3);
+    total.signature =
+        mix(total.signature, std::uint64_t(faces) | std::uint64_t(shades) << 1 |
+                                 std::uint64_t(light.in_cone) << 2 | std::uint64_t(lit) << 3);
     if (!lit) continue;
     const auto answer = plan.sample_code ? sample_code_terms<R> : equation_terms<R>;
-    const Terms<R> terms = answer(light.direction, eye, hit.normal, finish.shininess, light.intensity, finish.shiny);
+    const Terms<R> terms =
+        answer(light.direction, eye, hit.normal, finish.shininess, light.intensity, finish.shiny);
     total.diffuse += Sum<R>(terms.diffuse);
     total.specular += Sum<R>(terms.specular);
     if (plan.sample_code) total.unoccluded += 1;

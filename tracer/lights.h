@@ -26,8 +26,9 @@ R quadratic_attenuation(R x, R quadratic) {
 
 // ---- Spot light, slide 16 --------------------------------------------------------------------
 
-/// The angle between two vectors of any length, in radians, 0 to pi. atan2 of cross and dot product, because
-/// the arccosine of the dot product is not a number on the axis of a fifth of all spots.
+/// The angle between two vectors of any length, in radians, 0 to pi. atan2 of cross and dot
+/// product, because the arccosine of the dot product is not a number on the axis of a fifth of all
+/// spots.
 template <Real R>
 R angle_between(const Vec<R>& a, const Vec<R>& b) {
   using std::atan2;
@@ -35,8 +36,8 @@ R angle_between(const Vec<R>& a, const Vec<R>& b) {
 }
 
 /// Spot decay 1 - (alpha / cutoff)^exponent, slide 16; 0 past the cutoff and for exponent 0.
-/// alpha in [0, pi], cutoff in (0, pi], radians; exponent >= 0. By expm1, and near the cutoff by log1p,
-/// where the slide's form loses all digits.
+/// alpha in [0, pi], cutoff in (0, pi], radians; exponent >= 0. By expm1, and near the cutoff by
+/// log1p, where the slide's form loses all digits.
 template <Real R>
 R spot_decay(R alpha, R cutoff, R exponent) {
   using std::expm1, std::log, std::log1p;
@@ -54,9 +55,9 @@ struct AreaFrame {
   Vec<R> normal, right, up;  ///< orthonormal
 };
 
-/// The rectangle's axes, slide 20: right = up x n with up = (0,0,1), which is (-n.y, n.x, 0) without rounding;
-/// for a vertical n that is zero, and right = (1,0,0). A given `right` is made perpendicular to n.
-/// Without a normal, n points from the light to the origin.
+/// The rectangle's axes, slide 20: right = up x n with up = (0,0,1), which is (-n.y, n.x, 0)
+/// without rounding; for a vertical n that is zero, and right = (1,0,0). A given `right` is made
+/// perpendicular to n. Without a normal, n points from the light to the origin.
 template <Real R>
 AreaFrame<R> area_frame(const AreaLight& light) {
   const Vec<R> n = normalize(light.normal ? Vec<R>(*light.normal) : -Vec<R>(light.point.origin));
@@ -70,7 +71,8 @@ AreaFrame<R> area_frame(const AreaLight& light) {
   return {n, right, cross(n, right)};
 }
 
-/// Where sample i of n lies along a side of length 1, from -1/2 to 1/2; antisymmetric in i without rounding.
+/// Where sample i of n lies along a side of length 1, from -1/2 to 1/2; antisymmetric in i without
+/// rounding.
 template <Real R>
 R grid_position(int i, int n, Placement placement) {
   if (n == 1) return 0;
@@ -95,23 +97,25 @@ std::vector<Vec<R>> area_samples(const AreaLight& light) {
 
 // ---- Any light, seen from a point ------------------------------------------------------------
 
-/// One source of light, ready for the kernel: the sun, a point or spot light, or one sample of an area light.
+/// One source of light, ready for the kernel: the sun, a point or spot light, or one sample of an
+/// area light.
 template <Real R>
 struct Lamp {
   bool directional = false, attenuated = false, cone = false;
-  Vec<R> origin;      ///< scene units; unused by a directional lamp
-  Vec<R> toward;      ///< directional: unit vector towards the light
+  Vec<R> origin;  ///< scene units; unused by a directional lamp
+  Vec<R> toward;  ///< directional: unit vector towards the light
   R range{1}, linear{}, quadratic{};
-  Vec<R> axis;        ///< cone: the way the spot looks, unit
+  Vec<R> axis;  ///< cone: the way the spot looks, unit
   R cutoff{}, exponent{};
 };
 
 /// Light that reaches a point, before anything stands in its way.
 template <Real R>
 struct Incident {
-  Vec<R> direction;    ///< unit, from the point towards the light; zero where the light is at the point
-  R distance{};        ///< scene units, infinite for a directional lamp
-  R intensity{};       ///< attenuation times decay, 0 to 1
+  Vec<R>
+      direction;  ///< unit, from the point towards the light; zero where the light is at the point
+  R distance{};   ///< scene units, infinite for a directional lamp
+  R intensity{};  ///< attenuation times decay, 0 to 1
   bool in_cone = true;
 };
 

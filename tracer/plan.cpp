@@ -24,33 +24,32 @@ Lamp<R> point_lamp(const PointLight& light, const Vec<R>& origin) {
 
 template <Real R>
 std::vector<Lamp<R>> lamps_of(const Light& light) {
-  return std::visit(
-      Overloaded{
-          [](const DirectionalLight& sun) {
-            Lamp<R> lamp;
-            lamp.directional = true;
-            lamp.toward = -normalize(Vec<R>(sun.direction));
-            return std::vector{lamp};
-          },
-          [](const PointLight& point) {
-            return std::vector{point_lamp(point, Vec<R>(point.origin))};
-          },
-          [](const SpotLight& spot) {
-            Lamp<R> lamp = point_lamp(spot.point, Vec<R>(spot.point.origin));
-            lamp.cone = true;
-            lamp.axis = normalize(Vec<R>(spot.direction));
-            lamp.cutoff = R(spot.cutoff), lamp.exponent = R(spot.exponent);
-            return std::vector{lamp};
-          },
-          [](const AreaLight& area) {
-            std::vector<Lamp<R>> lamps;
-            for (const Vec<R>& origin : area_samples<R>(area)) {
-              lamps.push_back(point_lamp(area.point, origin));
-            }
-            return lamps;
-          },
-      },
-      light.shape);
+  return std::visit(Overloaded{
+                        [](const DirectionalLight& sun) {
+                          Lamp<R> lamp;
+                          lamp.directional = true;
+                          lamp.toward = -normalize(Vec<R>(sun.direction));
+                          return std::vector{lamp};
+                        },
+                        [](const PointLight& point) {
+                          return std::vector{point_lamp(point, Vec<R>(point.origin))};
+                        },
+                        [](const SpotLight& spot) {
+                          Lamp<R> lamp = point_lamp(spot.point, Vec<R>(spot.point.origin));
+                          lamp.cone = true;
+                          lamp.axis = normalize(Vec<R>(spot.direction));
+                          lamp.cutoff = R(spot.cutoff), lamp.exponent = R(spot.exponent);
+                          return std::vector{lamp};
+                        },
+                        [](const AreaLight& area) {
+                          std::vector<Lamp<R>> lamps;
+                          for (const Vec<R>& origin : area_samples<R>(area)) {
+                            lamps.push_back(point_lamp(area.point, origin));
+                          }
+                          return lamps;
+                        },
+                    },
+                    light.shape);
 }
 
 template <Real R>
@@ -68,7 +67,8 @@ void add_triangle(Plan<R>& plan, int object, const std::array<Vec<R>, 3>& corner
 template <Real R>
 void add_mesh(Plan<R>& plan, int object, const Mesh& mesh) {
   for (const auto& [a, b, c] : mesh.triangles) {
-    const std::array corners{Vec<R>(mesh.vertices[std::size_t(a)]), Vec<R>(mesh.vertices[std::size_t(b)]),
+    const std::array corners{Vec<R>(mesh.vertices[std::size_t(a)]),
+                             Vec<R>(mesh.vertices[std::size_t(b)]),
                              Vec<R>(mesh.vertices[std::size_t(c)])};
     if (mesh.normals.empty()) {
       add_triangle<R>(plan, object, corners, nullptr);
@@ -108,8 +108,14 @@ View<R> view_of(const Scene& scene) {
   const R aspect = R(scene.width) / R(scene.height);
   const R half_height = camera.projection == Projection::Orthographic ? R(camera.height) / 2
                                                                       : R(tan(R(camera.fov) / 2));
-  View<R> view{camera.projection == Projection::Orthographic, Vec<R>(camera.eye), {}, {}, {},
-               scene.width, scene.height, scene.samples};
+  View<R> view{camera.projection == Projection::Orthographic,
+               Vec<R>(camera.eye),
+               {},
+               {},
+               {},
+               scene.width,
+               scene.height,
+               scene.samples};
   view.forward = normalize(Vec<R>(camera.target) - view.eye);
   const Vec<R> right = normalize(cross(view.forward, Vec<R>(camera.up)));
   view.right = (half_height * aspect) * right;
@@ -138,7 +144,8 @@ Plan<R> lower(const Scene& scene) {
   plan.bvh = build_bvh(plan.triangles);
   for (const Light& light : scene.lights) {
     const R intensity(light.intensity);
-    Source<R> source{{}, R(1), intensity * Vec<R>(light.diffuse), intensity * Vec<R>(light.specular)};
+    Source<R> source{
+        {}, R(1), intensity * Vec<R>(light.diffuse), intensity * Vec<R>(light.specular)};
     if (light.intensity != 0) source.lamps = lamps_of<R>(light);
     if (source.lamps.size() > 1) source.weight = 1 / R(double(source.lamps.size()));
     if (!plan.sample_code) plan.ambient = plan.ambient + intensity * Vec<R>(light.ambient);

@@ -1,4 +1,5 @@
-// plan.h: a scene made ready for the kernel: unit vectors, expanded lights, one list per kind of surface.
+// plan.h: a scene made ready for the kernel: unit vectors, expanded lights, one list per kind of
+// surface.
 #pragma once
 
 #include <array>
@@ -21,8 +22,8 @@ struct Part {
 template <Real R>
 struct TriangleInfo {
   int object;
-  Vec<R> normal;                   ///< geometric, unit
-  std::array<Vec<R>, 3> normals;   ///< of the corners, if smooth
+  Vec<R> normal;                  ///< geometric, unit
+  std::array<Vec<R>, 3> normals;  ///< of the corners, if smooth
   bool smooth = false;
 };
 
@@ -57,10 +58,10 @@ struct Plan {
   std::vector<std::array<Vec<R>, 3>> triangles;
   std::vector<TriangleInfo<R>> triangle_info;
   Bvh<R> bvh;
-  std::vector<char> camera_visible;     ///< per object
-  std::vector<Finish<R>> finishes;      ///< per object
-  std::vector<Source<R>> sources;       ///< per light
-  Vec<R> ambient;                       ///< Ia: the scene's and every light's, added once
+  std::vector<char> camera_visible;  ///< per object
+  std::vector<Finish<R>> finishes;   ///< per object
+  std::vector<Source<R>> sources;    ///< per light
+  Vec<R> ambient;                    ///< Ia: the scene's and every light's, added once
   bool shadows = true;
   bool sample_code = false;
 };

@@ -34,8 +34,8 @@ Vec<Sum<R>> wide(const Vec<R>& v) {
   return {Sum<R>(v.x), Sum<R>(v.y), Sum<R>(v.z)};
 }
 
-/// Slide 5 for one light: kd Id D + ks Is S per channel; the sample code adds A for each lamp in view and takes the
-/// light's diffuse colour for both terms.
+/// Slide 5 for one light: kd Id D + ks Is S per channel; the sample code adds A for each lamp in
+/// view and takes the light's diffuse colour for both terms.
 template <Real R>
 Vec<Sum<R>> light_color(const Plan<R>& plan, const Source<R>& source, const Finish<R>& finish,
                         const LightTerms<R>& terms) {
@@ -70,7 +70,8 @@ void look(const Plan<R>& plan, R x, R y, Seen<R>& seen) {
   }
 }
 
-/// The position of sample i of `count` along a side, from -1 to 1; antisymmetric in i without rounding.
+/// The position of sample i of `count` along a side, from -1 to 1; antisymmetric in i without
+/// rounding.
 template <Real R>
 R screen(int i, int count, R shift) {
   return (R(2 * i + 1 - count) + shift) / R(count);
@@ -111,13 +112,15 @@ void render_row(const Plan<R>& plan, const RenderOptions& options, int y, Render
         for (std::size_t k = 0; k < layers; ++k) {
           totals[k] = totals[k] + seen.colors[k];
           whole = whole + seen.colors[k];
-          std::uint64_t& signature = result.signatures[k].values[std::size_t(y * plan.view.width + x)];
+          std::uint64_t& signature =
+              result.signatures[k].values[std::size_t(y * plan.view.width + x)];
           signature = mix(signature, seen.signatures[k]);
         }
       }
     }
     const Sum<R> count = Sum<R>(n * n);
-    for (std::size_t k = 0; k < layers; ++k) result.layers[k].picture.at(x, y) = to_double(totals[k] / count);
+    for (std::size_t k = 0; k < layers; ++k)
+      result.layers[k].picture.at(x, y) = to_double(totals[k] / count);
     result.whole.at(x, y) = to_double(whole / count);
   }
 }
@@ -145,10 +148,14 @@ std::string_view precision_name(Precision precision) {
 
 Rendering render(const Scene& scene, const RenderOptions& options) {
   switch (options.precision) {
-    case Precision::Float: return render_in<float>(scene, options);
-    case Precision::LongDouble: return render_in<long double>(scene, options);
-    case Precision::Quad: return render_in<Quad>(scene, options);
-    case Precision::Double: break;
+    case Precision::Float:
+      return render_in<float>(scene, options);
+    case Precision::LongDouble:
+      return render_in<long double>(scene, options);
+    case Precision::Quad:
+      return render_in<Quad>(scene, options);
+    case Precision::Double:
+      break;
   }
   return render_in<double>(scene, options);
 }
@@ -156,11 +163,17 @@ Rendering render(const Scene& scene, const RenderOptions& options) {
 Probe probe(const Scene& scene) {
   const auto plan = std::make_shared<const Plan<double>>(lower<double>(scene));
   return [plan](double x, double y) {
+    const View<double>& view = plan->view;
     const std::size_t layers = plan->sources.size() + 1;
+    const int n = view.samples;
     Seen<double> seen{std::vector<Vec<double>>(layers), std::vector<std::uint64_t>(layers)};
-    look(*plan, 2 * x / plan->view.width - 1, 1 - 2 * y / plan->view.height, seen);
-    std::vector<glm::dvec3> colors;
-    for (const Vec<double>& color : seen.colors) colors.push_back(to_double(color));
+    std::vector<glm::dvec3> colors(layers);
+    for (int sample = 0; sample < n * n; ++sample) {
+      const double dx = (sample % n + 0.5) / n - 0.5, dy = (sample / n + 0.5) / n - 0.5;
+      look(*plan, 2 * (x + dx) / view.width - 1, 1 - 2 * (y + dy) / view.height, seen);
+      for (std::size_t k = 0; k < layers; ++k)
+        colors[k] += to_double(seen.colors[k]) / double(n * n);
+    }
     return colors;
   };
 }

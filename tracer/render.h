@@ -17,22 +17,22 @@ std::string_view precision_name(Precision precision);
 
 struct RenderOptions {
   Precision precision = Precision::Double;
-  int threads = 0;                   ///< 0: all; the picture does not depend on it
-  double shift_x = 0, shift_y = 0;   ///< moves every sample point by this many pixels (right, down)
+  int threads = 0;                  ///< 0: all; the picture does not depend on it
+  double shift_x = 0, shift_y = 0;  ///< moves every sample point by this many pixels (right, down)
 };
 
 struct Rendering {
-  Layers layers;                      ///< ambient, then each light in the scene's order
-  Picture whole;                      ///< added up light by light at each sample, not from the layers
+  Layers layers;  ///< ambient, then each light in the scene's order
+  Picture whole;  ///< added up light by light at each sample, not from the layers
   std::vector<Signature> signatures;  ///< one per layer
-  double seconds = 0;                 ///< wall clock of the pixels alone, without lowering the scene
+  double seconds = 0;  ///< wall clock of the pixels alone, without lowering the scene
 };
 
 /// Renders the scene. Identical for any number of threads, bit by bit.
 Rendering render(const Scene& scene, const RenderOptions& options = {});
 
-/// What each layer shows at one point of the picture, in double: x to the right, y down, in pixels, (0.5, 0.5) is the
-/// centre of the first pixel.
+/// What each layer shows in a pixel whose centre is at (x, y), in double: x to the right, y down,
+/// in pixels; (0.5, 0.5) is the first pixel of the picture.
 using Probe = std::function<std::vector<glm::dvec3>(double x, double y)>;
 Probe probe(const Scene& scene);
 

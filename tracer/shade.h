@@ -6,16 +6,17 @@
 
 namespace litmus {
 
-/// What a light does to a point apart from all colours: the factors of kd Id and of ks Is in slide 5.
+/// What a light does to a point apart from all colours: the factors of kd Id and of ks Is in
+/// slide 5.
 template <Real R>
 struct Terms {
   R diffuse{};   ///< D = visibility * attenuation * (l.n)
   R specular{};  ///< S = visibility * attenuation * (h.n)^ns
 };
 
-/// (h.n)^ns with h = normalize(l + e), slide 5; 0 where h.n <= 0 and for e = -l. All vectors are unit.
-/// As exp(ns log1p(-|n - h|^2 / 2)), which never exceeds 1 and keeps its digits for a large ns: near the peak
-/// h.n itself has lost them.
+/// (h.n)^ns with h = normalize(l + e), slide 5; 0 where h.n <= 0 and for e = -l. All vectors are
+/// unit. As exp(ns log1p(-|n - h|^2 / 2)), which never exceeds 1 and keeps its digits for a large
+/// ns: near the peak h.n itself has lost them.
 template <Real R>
 R specular_power(const Vec<R>& l, const Vec<R>& e, const Vec<R>& n, R shininess) {
   using std::exp, std::log1p;
@@ -36,7 +37,8 @@ Terms<R> equation_terms(const Vec<R>& l, const Vec<R>& e, const Vec<R>& n, R shi
           wants_specular ? R(intensity * specular_power(l, e, n, shininess)) : R(0)};
 }
 
-/// The sample code's reading: the specular term is not gated on n.l. (n.h is clamped at 0 so that it is finite.)
+/// The sample code's reading: the specular term is not gated on n.l. (n.h is clamped at 0 so that
+/// it is finite.)
 template <Real R>
 Terms<R> sample_code_terms(const Vec<R>& l, const Vec<R>& e, const Vec<R>& n, R shininess,
                            R intensity, bool wants_specular) {

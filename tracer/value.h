@@ -19,7 +19,8 @@ concept Real = std::is_floating_point_v<T> || std::is_same_v<T, Quad>;
 template <Real R>
 using Sum = std::conditional_t<std::is_same_v<R, float>, double, R>;
 
-/// Half the distance from 1 to the next number: the largest relative rounding error of one operation.
+/// Half the distance from 1 to the next number: the largest relative rounding error of one
+/// operation.
 template <Real R>
 inline const R kUnit = std::numeric_limits<R>::epsilon() / 2;
 
@@ -29,7 +30,8 @@ R gamma_bound(int n) {
   return R(n) * kUnit<R> / (1 - R(n) * kUnit<R>);
 }
 
-/// a*b - c*d to 1.5 ulp (Kahan; Jeannerod, Louvet and Muller 2013): the rounding error of c*d is added back.
+/// a*b - c*d to 1.5 ulp (Kahan; Jeannerod, Louvet and Muller 2013): the rounding error of c*d is
+/// added back.
 template <Real R>
 R difference_of_products(R a, R b, R c, R d) {
   if constexpr (std::is_same_v<R, Quad>) {
@@ -84,8 +86,8 @@ struct Direction {
   R length{};
 };
 
-/// Splits a vector whose squared length may over- or underflow: it is then scaled by a power of two first,
-/// which changes no digit of the result.
+/// Splits a vector whose squared length may over- or underflow: it is then scaled by a power of two
+/// first, which changes no digit of the result.
 template <Real R>
 Direction<R> direction_of(const Vec<R>& v) {
   using std::frexp, std::ldexp, std::sqrt;

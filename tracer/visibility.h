@@ -1,4 +1,5 @@
-// visibility.h: what a ray from the eye hits first, and whether anything stands between a point and a lamp.
+// visibility.h: what a ray from the eye hits first, and whether anything stands between a point and
+// a lamp.
 #pragma once
 
 #include "tracer/plan.h"
@@ -13,10 +14,10 @@ struct Hit {
   Kind kind = Kind::None;
   int index = -1, face = 0, object = -1;
   R t = std::numeric_limits<R>::infinity();
-  R u{}, v{}, w{};    ///< triangles: barycentric weights
-  Vec<R> point;       ///< on the surface itself, not just on the ray
-  Vec<R> geometric;   ///< unit normal of the surface, turned towards the eye
-  Vec<R> normal;      ///< unit normal for shading, turned like the geometric one
+  R u{}, v{}, w{};   ///< triangles: barycentric weights
+  Vec<R> point;      ///< on the surface itself, not just on the ray
+  Vec<R> geometric;  ///< unit normal of the surface, turned towards the eye
+  Vec<R> normal;     ///< unit normal for shading, turned like the geometric one
 };
 
 /// Nearest first; of equals the object that comes first in the scene, then the lower index.
@@ -31,7 +32,8 @@ template <Real R>
 void settle(const Plan<R>& plan, const Ray<R>& ray, Hit<R>& hit) {
   hit.point = ray.origin + hit.t * ray.direction;
   switch (hit.kind) {
-    case Kind::None: return;
+    case Kind::None:
+      return;
     case Kind::Sphere: {
       const SphereSurface<R>& sphere = plan.spheres[std::size_t(hit.index)].shape;
       hit.geometric = normalize(hit.point - sphere.center);
@@ -61,7 +63,8 @@ void settle(const Plan<R>& plan, const Ray<R>& ray, Hit<R>& hit) {
       hit.point = hit.u * corners[0] + hit.v * corners[1] + hit.w * corners[2];
       hit.geometric = hit.normal = info.normal;
       if (!info.smooth) break;
-      hit.normal = normalize(hit.u * info.normals[0] + hit.v * info.normals[1] + hit.w * info.normals[2]);
+      hit.normal =
+          normalize(hit.u * info.normals[0] + hit.v * info.normals[1] + hit.w * info.normals[2]);
       // A mesh may list its corners clockwise: the vertex normals say which side is the outside.
       if (dot(hit.normal, info.normal) < 0) hit.geometric = -info.normal;
       break;
@@ -115,14 +118,16 @@ Hit<R> closest_hit(const Plan<R>& plan, Ray<R> ray) {
   return best;
 }
 
-/// A ray that leaves the surface of a hit and ends before the lamp: nothing at or behind the lamp is met.
-/// Off a triangle it starts above the rounding error of the hit point, so that neighbours are not met either.
+/// A ray that leaves the surface of a hit and ends before the lamp: nothing at or behind the lamp
+/// is met. Off a triangle it starts above the rounding error of the hit point, so that neighbours
+/// are not met either.
 template <Real R>
 Ray<R> shadow_ray(const Hit<R>& hit, const Incident<R>& light) {
   Ray<R> ray{hit.point, light.direction, light.distance};
   if (hit.kind == Kind::Triangle) {
     const R bound = gamma_bound<R>(16) * max_abs(hit.point);
-    ray.origin = hit.point + bound * (dot(hit.geometric, light.direction) < 0 ? -hit.geometric : hit.geometric);
+    ray.origin = hit.point +
+                 bound * (dot(hit.geometric, light.direction) < 0 ? -hit.geometric : hit.geometric);
   }
   if (light.distance < std::numeric_limits<R>::infinity()) {
     ray.limit = light.distance - gamma_bound<R>(16) * (max_abs(hit.point) + light.distance);
@@ -130,7 +135,8 @@ Ray<R> shadow_ray(const Hit<R>& hit, const Incident<R>& light) {
   return ray;
 }
 
-/// How far a ray that starts on a sphere's or box's own surface runs inside it; not positive if it leaves at once.
+/// How far a ray that starts on a sphere's or box's own surface runs inside it; not positive if it
+/// leaves at once.
 template <Real R>
 R own_exit(const Plan<R>& plan, const Hit<R>& hit, const Ray<R>& ray) {
   if (hit.kind == Kind::Sphere) {
@@ -141,8 +147,8 @@ R own_exit(const Plan<R>& plan, const Hit<R>& hit, const Ray<R>& ray) {
   return outward >= 0 ? R(-1) : intersect(plan.boxes[std::size_t(hit.index)].shape, ray).leave;
 }
 
-/// Whether anything lies strictly between a hit and a lamp. The surface hit is left out where it is flat; where it is
-/// a sphere or a box, only its far side can be in the way.
+/// Whether anything lies strictly between a hit and a lamp. The surface hit is left out where it is
+/// flat; where it is a sphere or a box, only its far side can be in the way.
 template <Real R>
 bool occluded(const Plan<R>& plan, const Hit<R>& hit, const Incident<R>& light) {
   Ray<R> ray = shadow_ray(hit, light);
@@ -152,13 +158,15 @@ bool occluded(const Plan<R>& plan, const Hit<R>& hit, const Incident<R>& light) 
   };
   const auto own = [&](Kind kind, int index) { return hit.kind == kind && hit.index == index; };
   for (int i = 0; const auto& part : plan.spheres) {
-    if (own(Kind::Sphere, i) ? blocks(own_exit(plan, hit, ray)) : chord_blocks(intersect(part.shape, ray))) {
+    if (own(Kind::Sphere, i) ? blocks(own_exit(plan, hit, ray))
+                             : chord_blocks(intersect(part.shape, ray))) {
       return true;
     }
     ++i;
   }
   for (int i = 0; const auto& part : plan.boxes) {
-    if (own(Kind::Box, i) ? blocks(own_exit(plan, hit, ray)) : chord_blocks(intersect(part.shape, ray))) {
+    if (own(Kind::Box, i) ? blocks(own_exit(plan, hit, ray))
+                          : chord_blocks(intersect(part.shape, ray))) {
       return true;
     }
     ++i;
@@ -170,7 +178,8 @@ bool occluded(const Plan<R>& plan, const Hit<R>& hit, const Incident<R>& light) 
   bool blocked = false;
   const ShearedRay<R> sheared(ray.direction);
   traverse(plan.bvh, ray, [&](std::uint32_t i) {
-    return blocked = !own(Kind::Triangle, int(i)) && blocks(intersect(plan.triangles[i], ray, sheared).t);
+    return blocked =
+               !own(Kind::Triangle, int(i)) && blocks(intersect(plan.triangles[i], ray, sheared).t);
   });
   return blocked;
 }

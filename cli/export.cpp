@@ -1,0 +1,57 @@
+// export.cpp: litmus export, a scene in the language of another renderer.
+#include <fmt/format.h>
+
+#include <sstream>
+
+#include "cli/commands.h"
+#include "compare/whole_file.h"
+#include "exporters/exporters.h"
+#include "scene/load.h"
+
+namespace litmus {
+namespace {
+
+struct Options {
+  std::string scene, to;
+  std::filesystem::path output = ".";
+  bool native = false;
+};
+
+int run(const Options& options) {
+  const Scene scene = load_scene(find_scene(options.scene));
+  const Exporter* exporter = find_exporter(options.to);
+  std::ostringstream text;
+  (options.native ? exporter->write_native : exporter->write)(scene, text);
+  const auto file =
+      options.output / (scene.name + (options.native ? "-native" : "") + exporter->extension);
+  std::filesystem::create_directories(options.output);
+  write_whole(file, text.str());
+  if (!options.native) {
+    for (const std::string& caveat : exporter->caveats(scene))
+      fmt::print(stderr, "note: {}\n", caveat);
+  }
+  fmt::print("{}\n", file.string());
+  return kPass;
+}
+
+}  // namespace
+
+void add_export(CLI::App& program, int& exit_code) {
+  auto options = std::make_shared<Options>();
+  std::vector<std::string> names;
+  for (const Exporter& exporter : exporters()) names.push_back(exporter.name);
+  CLI::App* command = program.add_subcommand("export", "Write a scene for another renderer");
+  command->add_option("scene", options->scene, "Scene file or canonical name")->required();
+  command->add_option("--to", options->to, "povray or blender")
+      ->required()
+      ->check(CLI::IsMember(names));
+  command->add_option("-o,--output", options->output, "Folder to write into")
+      ->capture_default_str();
+  command->add_flag("--native", options->native,
+                    "What a user of that renderer would write, at best fit; its header says what "
+                    "it cannot express");
+  command->footer("Example: litmus export x3 --to blender -o exported");
+  command->callback([options, &exit_code] { exit_code = run(*options); });
+}
+
+}  // namespace litmus

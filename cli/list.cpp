@@ -1,0 +1,67 @@
+// list.cpp: litmus list, the canonical scenes.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "cli/commands.h"
+#include "scene/load.h"
+
+namespace litmus {
+namespace {
+
+std::vector<std::string> light_types(const Scene& scene) {
+  std::vector<std::string> types;
+  for (const Light& light : scene.lights) {
+    const std::string type(light_type(light));
+    if (std::find(types.begin(), types.end(), type) == types.end()) types.push_back(type);
+  }
+  return types;
+}
+
+void print_json(const std::vector<Scene>& scenes) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const Scene& scene : scenes) {
+    list.push_back({{"name", scene.name},
+                    {"about", scene.about},
+                    {"light_types", light_types(scene)},
+                    {"tags", scene.tags},
+                    {"file", scene.file.string()}});
+  }
+  std::cout << list.dump(2) << '\n';
+}
+
+void print_table(const std::vector<Scene>& scenes) {
+  for (const Scene& scene : scenes) {
+    std::cout << fmt::format("{:<26} {:<28} {}\n{:<26} {}\n", scene.name,
+                             fmt::format("{}", fmt::join(light_types(scene), ", ")),
+                             fmt::join(scene.tags, ", "), "", scene.about);
+  }
+}
+
+int run(bool json, const std::string& tag) {
+  std::vector<Scene> scenes;
+  for (const auto& file : canonical_scenes()) {
+    Scene scene = load_scene(file);
+    const bool wanted =
+        tag.empty() || std::find(scene.tags.begin(), scene.tags.end(), tag) != scene.tags.end();
+    if (wanted) scenes.push_back(std::move(scene));
+  }
+  json ? print_json(scenes) : print_table(scenes);
+  return kPass;
+}
+
+}  // namespace
+
+void add_list(CLI::App& program, int& exit_code) {
+  auto json = std::make_shared<bool>(false);
+  auto tag = std::make_shared<std::string>();
+  CLI::App* command = program.add_subcommand("list", "List the canonical scenes");
+  command->add_flag("--json", *json, "For machines: name, about, light_types, tags, file");
+  command->add_option("--tag", *tag, "Only scenes with this tag");
+  command->footer("Example: litmus list --tag shadow");
+  command->callback([json, tag, &exit_code] { exit_code = run(*json, *tag); });
+}
+
+}  // namespace litmus

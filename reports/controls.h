@@ -1,0 +1,25 @@
+// controls.h: known mistakes that are put into our side only, to show that the gates see them.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "scene/scene.h"
+#include "tracer/render.h"
+
+namespace litmus {
+
+/// A negative control: a run with it must fail on the rows that the mistake touches and on no
+/// other.
+struct Control {
+  std::string_view name, about;
+  void (*apply)(Scene&, RenderOptions&);
+};
+
+/// All controls, in the order of --help.
+std::span<const Control> controls();
+
+/// nullptr if there is no such control.
+const Control* find_control(std::string_view name);
+
+}  // namespace litmus
