@@ -1,0 +1,109 @@
+// stored_images.cpp: the shipped reference images and their provenance.
+#include "reference/stored_images.h"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "compare/image_io.h"
+#include "compare/whole_file.h"
+#include "reference/hash.h"
+#include "scene/load.h"
+#include "scene/refusal.h"
+
+namespace litmus {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr int kSchema = 1;
+constexpr std::string_view kRemedy = "refresh with `litmus run --refresh`";
+
+fs::path file_of(const Scene& scene, std::string_view renderer, const fs::path& folder,
+                 std::string_view extension) {
+  return folder / scene.name / (std::string(renderer) + std::string(extension));
+}
+
+/// Throws, saying what is wrong, unless the images are sound and the scene's.
+StoredReference read_stored(const Scene& scene, const fs::path& image, const fs::path& about) {
+  std::ifstream text(about);
+  if (!text) throw Refusal(about.filename().string() + " is missing");
+  const auto meta = Json::parse(text);
+  if (meta.at("schema") != kSchema) throw Refusal("of another schema");
+  if (meta.at("scene_fingerprint") != fingerprint(scene))
+    throw Refusal("made from another version of this scene");
+  if (meta.at("checksum") != hash_file(image)) throw Refusal("damaged (checksum)");
+
+  StoredReference stored;
+  stored.layers = read_layers(image);
+  if (const auto wrong = misfit(scene, stored.layers); !wrong.empty()) throw Refusal(wrong);
+  stored.version = meta.at("renderer_version");
+  stored.command = meta.at("command");
+  stored.seconds = meta.at("seconds");
+  return stored;
+}
+
+}  // namespace
+
+fs::path stored_images_directory() {
+  const auto data = data_directory();
+  std::error_code error;
+  const auto installed = data / "images";
+  return fs::is_directory(installed, error) ? installed : data / "reference" / "images";
+}
+
+StoredLookup load_stored(const Scene& scene, std::string_view renderer, const fs::path& folder) {
+  const auto image = file_of(scene, renderer, folder, ".exr");
+  std::error_code error;
+  if (!fs::exists(image, error))
+    return {std::nullopt, fmt::format("no stored {} image of {}", renderer, scene.name)};
+  try {
+    return {read_stored(scene, image, file_of(scene, renderer, folder, ".json")), ""};
+  } catch (const std::exception& wrong) {
+    return {std::nullopt, fmt::format("the stored {} image of {} is not used: {}: {}", renderer,
+                                      scene.name, wrong.what(), kRemedy)};
+  }
+}
+
+void save_stored(const Scene& scene, std::string_view renderer, const StoredReference& images,
+                 const fs::path& folder) {
+  if (const auto wrong = misfit(scene, images.layers); !wrong.empty())
+    throw Refusal(fmt::format("{}: {} image not kept: {}", scene.name, renderer, wrong));
+  const auto image = file_of(scene, renderer, folder, ".exr");
+  std::error_code error;
+  fs::create_directories(image.parent_path(), error);
+  if (error) throw Refusal(image.parent_path().string() + ": cannot be made: " + error.message());
+  write_layers(image, images.layers);
+  const Json meta = {{"schema", kSchema},
+                     {"scene", scene.name},
+                     {"scene_fingerprint", fingerprint(scene)},
+                     {"renderer", renderer},
+                     {"renderer_version", images.version},
+                     {"command", images.command},
+                     {"seconds", images.seconds},
+                     {"checksum", hash_file(image)}};
+  write_whole(file_of(scene, renderer, folder, ".json"),
+              meta.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+std::string misfit(const Scene& scene, const Layers& layers) {
+  if (layers.size() != scene.lights.size() + 1)
+    return fmt::format("{} layers where the scene has {}", layers.size(), scene.lights.size() + 1);
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    const auto& [light, type, picture] = layers[i];
+    const std::string expected = i == 0 ? "ambient" : scene.lights[i - 1].name;
+    const std::string expected_type =
+        i == 0 ? "ambient" : std::string(light_type(scene.lights[i - 1]));
+    if (light != expected || type != expected_type)
+      return fmt::format("layer {} is {} ({}) where the scene has {} ({})", i, light, type,
+                         expected, expected_type);
+    if (picture.width != scene.width || picture.height != scene.height)
+      return fmt::format("layer {} is {} x {} pixels where the scene has {} x {}", light,
+                         picture.width, picture.height, scene.width, scene.height);
+  }
+  return {};
+}
+
+}  // namespace litmus
