@@ -54,7 +54,7 @@ struct ObtainedReference {
 /// the store lacks is rendered in one batch, and each scene is kept as soon as it is done. A failed
 /// live render is a failure, never replaced by a stored image. Pixels are rounded to 32-bit floats,
 /// so that a fresh image and one from the store are the same. Several drivers may be asked at once,
-/// from different threads. Throws only if the work folder cannot be made.
+/// from different threads. Never throws for what a renderer does.
 std::vector<ObtainedReference> obtain(std::span<const Scene> scenes, const Driver& driver,
                                       const ObtainOptions& options);
 
