@@ -243,4 +243,8 @@ std::string encode_png(const Picture& picture) {
   return encode_png(picture.width, picture.height, rgb);
 }
 
+std::string image_library_version() {
+  return fmt::format("{}.{}.{}", OIIO_VERSION_MAJOR, OIIO_VERSION_MINOR, OIIO_VERSION_PATCH);
+}
+
 }  // namespace litmus

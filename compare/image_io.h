@@ -45,4 +45,7 @@ std::string encode_png(const Picture& picture);
 /// The same from display values as they are: width * height * 3 bytes, row by row.
 std::string encode_png(int width, int height, std::span<const std::uint8_t> rgb);
 
+/// The version of OpenImageIO that reads and writes the images, as "2.4.7".
+std::string image_library_version();
+
 }  // namespace litmus
