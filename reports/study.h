@@ -3,10 +3,14 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "reference/obtain.h"
 #include "scene/picture.h"
+#include "scene/scene.h"
 
 namespace litmus {
 
@@ -21,20 +25,20 @@ struct Comparison {
   std::string light_type;  ///< "directional" | "point" | "spot" | "area" | "ambient" | "all"
   std::string region;      ///< "interior" | "edge" | "all"
   std::int64_t pixels = 0;
-  std::int64_t nonfinite = 0;       ///< pixels that are NaN or infinite in either picture
-  double bias = 0;                  ///< mean of ours - theirs over pixels and channels
+  std::int64_t nonfinite = 0;  ///< pixels that are NaN or infinite in either picture
+  double bias = 0;             ///< mean of ours - theirs over pixels and channels
   double mean_abs = 0;
   double max_abs = 0;
   std::array<int, 2> max_at{0, 0};  ///< x, y of the largest difference
   double rmse = 0;
   double p50 = 0, p95 = 0, p99 = 0, p999 = 0;  ///< percentiles of |ours - theirs|
-  double max_relative = 0;          ///< largest |ours - theirs| / max(|theirs|, 1e-3)
-  std::int64_t over_tolerance = 0;  ///< pixels beyond the tolerance
-  std::int64_t explained = 0;       ///< of those, boundary pixels whose cause is known (see `causes`)
-  double tolerance = 0;             ///< on max_abs
-  double mean_tolerance = 0;        ///< on mean_abs
-  std::string verdict;              ///< "pass" | "fail" | "skipped"
-  std::string reason;               ///< why it failed or was skipped, or what a pass rests on; may be empty
+  double max_relative = 0;                     ///< largest |ours - theirs| / max(|theirs|, 1e-3)
+  std::int64_t over_tolerance = 0;             ///< pixels beyond the tolerance
+  std::int64_t explained = 0;  ///< of those, boundary pixels whose cause is known (see `causes`)
+  double tolerance = 0;        ///< on max_abs
+  double mean_tolerance = 0;   ///< on mean_abs
+  std::string verdict;         ///< "pass" | "fail" | "skipped"
+  std::string reason;  ///< why it failed or was skipped, or what a pass rests on; may be empty
   std::vector<std::string> causes;  ///< one sentence per listed pixel
 };
 
@@ -51,19 +55,19 @@ struct CaseLayer {
 };
 
 struct CaseReference {
-  std::string reference, source;       ///< source as in Comparison
-  std::string version, command;        ///< of the renderer
-  double seconds = 0;                  ///< rendering alone, as the renderer reports it
-  std::string failure, log;            ///< log: the end of its text; empty when all is well
+  std::string reference, source;  ///< source as in Comparison
+  std::string version, command;   ///< of the renderer
+  double seconds = 0;             ///< rendering alone, as the renderer reports it
+  std::string failure, log;       ///< log: the end of its text; empty when all is well
 };
 
 struct Case {
   std::string scene, file, about;
   std::vector<std::string> tags, warnings;
   int width = 0, height = 0;
-  double seconds = 0;                  ///< ours, rendering alone
+  double seconds = 0;  ///< ours, rendering alone
   std::vector<CaseReference> references;
-  std::vector<CaseLayer> layers;       ///< ambient, each light, then "all"
+  std::vector<CaseLayer> layers;  ///< ambient, each light, then "all"
 };
 
 /// Everything about a run that may differ between two runs of identical inputs.
@@ -80,8 +84,20 @@ struct Study {
   std::vector<Comparison> comparisons;
 };
 
-/// "pass", "fail" (a row failed), "incomplete" (a row was skipped, none failed) or "broken" (a renderer
-/// failed where it was asked for).
+/// What a study compares, and where it takes the other side from.
+struct StudyOptions {
+  std::vector<std::string> references;  ///< driver names; empty: all
+  ObtainOptions obtain;
+  std::string control;  ///< a negative control's name, or empty
+  int threads = 0;      ///< of the tracer; 0: all
+};
+
+/// Renders the scenes, obtains the references (all renderers at once) and compares them, light by
+/// light. Throws Refusal for an unknown reference or control.
+Study run_study(std::span<const Scene> scenes, const StudyOptions& options);
+
+/// "pass", "fail" (a row failed), "incomplete" (a row was skipped, none failed) or "broken" (a
+/// renderer failed or is missing where it was asked for).
 std::string overall_verdict(const Study& study);
 
 }  // namespace litmus

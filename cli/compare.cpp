@@ -1,0 +1,107 @@
+// compare.cpp: litmus compare, two image files without any scene.
+#include <fmt/format.h>
+
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "cli/commands.h"
+#include "compare/difference.h"
+#include "compare/image_io.h"
+#include "compare/verdict.h"
+#include "scene/refusal.h"
+
+namespace litmus {
+namespace {
+
+struct Options {
+  std::filesystem::path ours, theirs;
+  double tolerance = 1e-5;
+  bool json = false;
+};
+
+struct Row {
+  std::string layer;
+  Difference difference;
+  Verdict verdict;
+};
+
+/// Part by part if both files have the same parts, else the first pictures.
+std::vector<Row> compare(const Options& options) {
+  const Tolerance tolerance{options.tolerance, options.tolerance, "the caller's", false};
+  std::vector<Row> rows;
+  const auto add = [&](const std::string& name, const Picture& a, const Picture& b) {
+    const Difference d = difference(a, b, {}, Region::All, options.tolerance);
+    rows.push_back({name, d, judge(d, tolerance)});
+  };
+  const bool layered = !read_metadata(options.ours).empty() && options.ours.extension() == ".exr" &&
+                       options.theirs.extension() == ".exr";
+  Layers ours, theirs;
+  if (layered) ours = read_layers(options.ours), theirs = read_layers(options.theirs);
+  if (ours.size() < 2 || ours.size() != theirs.size()) {
+    add("picture", read_picture(options.ours), read_picture(options.theirs));
+    return rows;
+  }
+  for (std::size_t i = 0; i < ours.size(); ++i)
+    add(ours[i].light, ours[i].picture, theirs[i].picture);
+  add("all", sum(ours), sum(theirs));
+  return rows;
+}
+
+void print_json(const std::vector<Row>& rows, double tolerance) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const Row& row : rows) {
+    const Difference& d = row.difference;
+    nlohmann::ordered_json entry{{"layer", row.layer},
+                                 {"pixels", d.pixels},
+                                 {"nonfinite", d.nonfinite},
+                                 {"max_at", d.max_at},
+                                 {"over_tolerance", d.over_tolerance},
+                                 {"tolerance", tolerance}};
+    for (const auto& metric : kMetrics<Difference>)
+      entry[std::string(metric.name)] = d.*metric.member;
+    entry["verdict"] = row.verdict.pass ? "pass" : "fail";
+    entry["reason"] = row.verdict.reason;
+    list.push_back(entry);
+  }
+  std::cout << list.dump(2) << '\n';
+}
+
+void print_table(const std::vector<Row>& rows) {
+  for (const Row& row : rows) {
+    fmt::print("{}: {}\n", row.layer, row.verdict.pass ? "pass" : "FAIL, " + row.verdict.reason);
+    const Difference& d = row.difference;
+    fmt::print("  {:<10} {} pixels, {} not finite, {} over the tolerance\n", "", d.pixels,
+               d.nonfinite, d.over_tolerance);
+    for (const auto& metric : kMetrics<Difference>) {
+      fmt::print("  {:<10} {:<12.4g} {}\n", metric.title, d.*metric.member, metric.meaning);
+    }
+  }
+}
+
+int run(const Options& options) {
+  const std::vector<Row> rows = compare(options);
+  options.json ? print_json(rows, options.tolerance) : print_table(rows);
+  for (const Row& row : rows) {
+    if (!row.verdict.pass) return kOutOfTolerance;
+  }
+  return kPass;
+}
+
+}  // namespace
+
+void add_compare(CLI::App& program, int& exit_code) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = program.add_subcommand("compare", "Compare two image files pixel by pixel");
+  command->add_option("ours", options->ours, "EXR, PFM or PNG (PNG as linear code values)")
+      ->required();
+  command->add_option("theirs", options->theirs, "The other one; the sign is ours - theirs")
+      ->required();
+  command->add_option("--tolerance", options->tolerance, "On the largest difference")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  command->add_flag("--json", options->json, "For machines");
+  command->footer("Example: litmus compare mine.exr theirs.exr --tolerance 1e-4");
+  command->callback([options, &exit_code] { exit_code = run(*options); });
+}
+
+}  // namespace litmus

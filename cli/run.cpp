@@ -1,0 +1,224 @@
+// run.cpp: litmus run, the main job: scenes against references, and a report.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <ctime>
+#include <iterator>
+
+#include "cli/commands.h"
+#include "cli/work_folder.h"
+#include "reference/stored_images.h"
+#include "reports/controls.h"
+#include "reports/study.h"
+#include "reports/write_html.h"
+#include "reports/write_json.h"
+#include "reports/write_junit.h"
+#include "reports/write_markdown.h"
+#include "scene/load.h"
+#include "scene/refusal.h"
+
+namespace litmus {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Options {
+  std::vector<std::string> scenes, with, require;
+  std::string sources = "auto", control, command;
+  fs::path out = "litmus-report", store = default_store_directory();
+  int threads = 0, time_limit = 300;
+  bool fresh = false, refresh = false, quiet = false;
+};
+
+std::vector<Scene> load_all(const std::vector<std::string>& names) {
+  std::vector<fs::path> files;
+  for (const std::string& name : names) files.push_back(find_scene(name));
+  if (names.empty()) files = canonical_scenes();
+  std::vector<Scene> scenes;
+  for (const fs::path& file : files) {
+    scenes.push_back(load_scene(file));
+    for (const Scene& other : std::span(scenes).first(scenes.size() - 1)) {
+      if (other.name == scenes.back().name) {
+        throw Refusal(fmt::format("{} and {} have one name: rename one of the files",
+                                  other.file.string(), file.string()));
+      }
+    }
+    for (const std::string& warning : scenes.back().warnings)
+      fmt::print(stderr, "warning: {}\n", warning);
+  }
+  return scenes;
+}
+
+StudyOptions study_options(const Options& options, const Store& store, const fs::path& work) {
+  StudyOptions study;
+  study.references = options.with;
+  study.control = options.control;
+  study.threads = options.threads;
+  study.obtain.sources = parse_sources(options.sources);
+  study.obtain.store = &store;
+  study.obtain.fresh = options.fresh || options.refresh;
+  study.obtain.program_version = LITMUS_VERSION;
+  study.obtain.reference.work = work;
+  study.obtain.reference.time_limit = std::chrono::seconds(options.time_limit);
+  if (options.threads > 0) study.obtain.reference.threads = options.threads;
+  if (!options.quiet) {
+    study.obtain.reference.progress = [](const std::string& line) {
+      fmt::print(stderr, "{}\n", line);
+    };
+  }
+  return study;
+}
+
+/// Keeps what the renderers just made as the images that ship with litmus.
+void keep_as_stored(std::span<const Scene> scenes, const Study& study) {
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    const Case& entry = study.cases[i];
+    for (std::size_t r = 0; r < entry.references.size(); ++r) {
+      const CaseReference& reference = entry.references[r];
+      if (reference.source != "live") continue;
+      StoredReference images{{}, reference.version, reference.command, reference.seconds};
+      for (std::size_t k = 0; k + 1 < entry.layers.size(); ++k) {
+        const CaseLayer& layer = entry.layers[k];
+        images.layers.push_back({layer.light, layer.light_type, layer.theirs[r].picture});
+      }
+      save_stored(scenes[i], reference.reference, images);
+    }
+  }
+}
+
+/// Names that --require asks for and that were not rendered live for every scene.
+std::vector<std::string> missing_requirements(const Options& options, const Study& study) {
+  std::vector<std::string> missing;
+  for (const std::string& name : options.require) {
+    bool live = false;
+    for (const Comparison& row : study.comparisons) {
+      if (row.reference != name) continue;
+      live = row.source == "live";
+      if (!live) break;
+    }
+    if (!live) missing.push_back(name);
+  }
+  return missing;
+}
+
+void print_summary(const Study& study, const fs::path& out) {
+  std::map<std::pair<std::string, std::string>, std::map<std::string, std::pair<double, int>>>
+      worst;
+  std::map<std::string, int> verdicts;
+  for (const Comparison& row : study.comparisons) {
+    ++verdicts[row.verdict];
+    auto& cell = worst[{row.light_type, row.reference}][row.region];
+    cell.first = std::max(cell.first, row.max_abs);
+    cell.second += row.verdict == "fail";
+  }
+  fmt::print("{:<12} {:<9} {:>13} {:>10} {:>7}\n", "light type", "reference", "interior max",
+             "edge max", "failed");
+  for (auto& [key, regions] : worst) {
+    fmt::print("{:<12} {:<9} {:>13.2g} {:>10.2g} {:>7}\n", key.first, key.second,
+               regions["interior"].first, regions["edge"].first, regions["all"].second);
+  }
+  fmt::print("{} rows pass, {} fail, {} skipped: {}\n", verdicts["pass"], verdicts["fail"],
+             verdicts["skipped"], overall_verdict(study));
+  fmt::print("report: {}\n", (fs::absolute(out) / "report.html").lexically_normal().string());
+}
+
+int exit_code_of(const Study& study) {
+  const std::string verdict = overall_verdict(study);
+  if (verdict == "broken") return kRendererFailed;
+  if (verdict == "fail") return kOutOfTolerance;
+  return verdict == "incomplete" ? kIncomplete : kPass;
+}
+
+std::string utc_now() {
+  const std::time_t now = std::time(nullptr);
+  char text[32];
+  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", std::gmtime(&now));
+  return text;
+}
+
+int run(const Options& options) {
+  const auto start = std::chrono::steady_clock::now();
+  const std::string started = utc_now();
+  const std::vector<Scene> scenes = load_all(options.scenes);
+  const Store store = open_store(
+      options.store, [](const std::string& line) { fmt::print(stderr, "warning: {}\n", line); });
+  const WorkFolder work;
+  Study study = run_study(scenes, study_options(options, store, work.path));
+  study.provenance.command = options.command;
+  study.provenance.started = started;
+  study.provenance.seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  if (options.refresh) keep_as_stored(scenes, study);
+
+  fs::create_directories(options.out);
+  write_json(study, options.out / "results.json");
+  write_markdown(study, options.out / "summary.md");
+  write_junit(study, options.out / "junit.xml");
+  write_html(study, options.out / "report.html");
+  print_summary(study, options.out);
+  for (const Case& entry : study.cases) {
+    for (const CaseReference& reference : entry.references) {
+      if (reference.failure.empty()) continue;
+      fmt::print(stderr, "{}, {}: {}\n{}\n", entry.scene, reference.reference, reference.failure,
+                 reference.log);
+    }
+  }
+  const std::vector<std::string> missing = missing_requirements(options, study);
+  if (!missing.empty()) {
+    fmt::print(stderr, "litmus: --require: {} did not render every scene live\n",
+               fmt::join(missing, ", "));
+    return kRendererFailed;
+  }
+  return exit_code_of(study);
+}
+
+std::string control_help() {
+  std::string help = "Put a known mistake into our side only; the run must then fail:";
+  for (const Control& control : controls())
+    help += fmt::format("\n  {}: {}", control.name, control.about);
+  return help;
+}
+
+}  // namespace
+
+void add_run(CLI::App& program, int& exit_code) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command =
+      program.add_subcommand("run", "Compare scenes with the references and write a report");
+  command->add_option("scenes", options->scenes,
+                      "Scene files or canonical names; none: all canonical scenes");
+  command
+      ->add_option("--references", options->sources,
+                   "auto: live where the renderer is installed, else stored images; live; stored")
+      ->check(CLI::IsMember({"auto", "live", "stored"}))
+      ->capture_default_str();
+  command
+      ->add_option("--out", options->out,
+                   "Folder for report.html, results.json, summary.md, junit.xml")
+      ->capture_default_str();
+  command->add_option("--with", options->with, "Only these references (povray,blender)")
+      ->delimiter(',');
+  command
+      ->add_option("--require", options->require,
+                   "Exit 4 unless these references are live (povray,blender)")
+      ->delimiter(',');
+  command->add_option("--control", options->control, control_help());
+  command
+      ->add_option("--store", options->store, "Folder that keeps rendered references between runs")
+      ->capture_default_str();
+  command->add_option("--threads", options->threads, "0: all")->check(CLI::Range(0, 1024));
+  command->add_option("--time-limit", options->time_limit, "Seconds for one process of a renderer")
+      ->check(CLI::Range(1, 86400))
+      ->capture_default_str();
+  command->add_flag("--fresh", options->fresh,
+                    "Render the references anew even if the store has them");
+  command->add_flag(
+      "--refresh", options->refresh,
+      "--fresh, and keep the live images as the stored references that ship with litmus");
+  command->add_flag("-q,--quiet", options->quiet, "No progress");
+  command->footer("Example: litmus run d2 s5 --references live --out report");
+  command->callback([options, &exit_code] { exit_code = run(*options); });
+}
+
+}  // namespace litmus

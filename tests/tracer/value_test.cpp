@@ -1,0 +1,43 @@
+// value_test.cpp: vectors of every scalar.
+#include "tracer/value.h"
+
+#include <gtest/gtest.h>
+
+namespace litmus {
+namespace {
+
+TEST(Direction, KeepsTheLengthOfAVectorWhoseSquareOverflows) {
+  const Direction<double> d = direction_of(Vec<double>{3e200, 0, 4e200});
+  EXPECT_DOUBLE_EQ(d.length, 5e200);
+  EXPECT_DOUBLE_EQ(d.unit.x, 0.6);
+  EXPECT_DOUBLE_EQ(d.unit.z, 0.8);
+}
+
+TEST(Direction, KeepsTheLengthOfAVectorWhoseSquareUnderflows) {
+  const Direction<float> d = direction_of(Vec<float>{0, 3e-38f, 4e-38f});
+  EXPECT_FLOAT_EQ(d.length, 5e-38f);
+  EXPECT_FLOAT_EQ(d.unit.y, 0.6f);
+}
+
+TEST(Direction, IsTheSameBitByBitForAnyPowerOfTwo) {
+  const Vec<double> v{0.3, -0.7, 0.11};
+  for (int k = -1000; k <= 1000; k += 7) {
+    const Vec<double> scaled{std::ldexp(v.x, k), std::ldexp(v.y, k), std::ldexp(v.z, k)};
+    ASSERT_EQ(normalize(scaled), normalize(v)) << "2^" << k;
+  }
+}
+
+TEST(Direction, OfAZeroVectorIsZero) {
+  const Direction<double> d = direction_of(Vec<double>{});
+  EXPECT_EQ(d.length, 0);
+  EXPECT_EQ(d.unit, (Vec<double>{}));
+}
+
+TEST(DifferenceOfProducts, KeepsTheDigitsThatPlainArithmeticCancels) {
+  const double a = 1 + 0x1p-30, b = 1 - 0x1p-30;
+  EXPECT_EQ(a * b - 1.0 * 1.0, 0.0);  // the control: 1 - 2^-60 rounds to 1
+  EXPECT_EQ(difference_of_products(a, b, 1.0, 1.0), -0x1p-60);
+}
+
+}  // namespace
+}  // namespace litmus
