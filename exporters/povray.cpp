@@ -1,0 +1,207 @@
+// povray.cpp: the exact POV-Ray export: lights whose formulas POV-Ray lacks, made of what it has.
+#include "exporters/povray.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <ostream>
+
+#include "exporters/area_grid.h"
+#include "exporters/envelope.h"
+#include "exporters/povray_parts.h"
+#include "exporters/text.h"
+#include "scene/refusal.h"
+
+namespace litmus {
+namespace povray {
+namespace {
+
+// A filter round a lamp. It must exceed POV-Ray's shadow tolerance (1e-3), or it is ignored, and be
+// small, because rays to other samples pass through it. Far lamps get a larger one: a sphere at
+// distance d is hit to about 1e-16 d^2.
+double filter_radius(const Point& lamp) { return std::max(2e-3, 2e-5 * glm::length(lamp)); }
+
+// Beyond the light of parallel rays, nothing casts a shadow; POV-Ray ends at 1e7.
+constexpr double kSunDistance = 1e5;
+
+// The medium fills a box of this half size. Light from further away is not attenuated all the way.
+constexpr double kMediumReach = 1e5;
+
+bool has_medium(const Light& light) {
+  const Attenuation a = attenuation_of(light);
+  return a.linear > 0 && a.quadratic > 0;
+}
+
+// All lights can shine at once if none needs a medium, which would dim the others' light too, and
+// one proportion of specular to diffuse serves all.
+bool renders_whole(const Scene& scene) {
+  Color factor;
+  return common_specular(scene, factor) &&
+         (scene.lights.size() < 2 ||
+          std::none_of(scene.lights.begin(), scene.lights.end(), has_medium));
+}
+
+void write_light_macros(const Scene& scene, std::ostream& out) {
+  out << R"(
+// ---- Lights ---------------------------------------------------------------------------------------
+#macro LightColor(Color) (Boost * #if (Layer = 0) Color #else <1, 1, 1> #end) #end
+)";
+  const auto is_spot = [](const Light& l) { return std::holds_alternative<SpotLight>(l.shape); };
+  if (std::any_of(scene.lights.begin(), scene.lights.end(), is_spot))
+    out << R"(
+// Goes on a sphere round the lamp and lets 1 - (angle/cutoff)^exponent of its light out (slide 16).
+#macro Cone(Direction, Cutoff, Exponent)
+  #local X = vnormalize(Direction).x;
+  #local Y = vnormalize(Direction).y;
+  #local Z = vnormalize(Direction).z;
+  #local Across = function(x, y, z) { sqrt(x*x + y*y + z*z) }
+  #local Angle = function(x, y, z) { atan2(Across(y*Z - z*Y, z*X - x*Z, x*Y - y*X), x*X + y*Y + z*Z) / Cutoff }
+  pigment {
+    function { select(1 - Angle(x, y, z), 0, 0.5*(1 - pow(min(Angle(x, y, z), 1), Exponent))) }
+    color_map { [0 rgbt <0, 0, 0, 0>] [0.5 rgbt <0, 0, 0, 1>] }
+  }
+#end
+)";
+  if (std::any_of(scene.lights.begin(), scene.lights.end(), has_medium))
+    out << fmt::format(R"(
+// Fills space with a medium that dims by 1/(1 + Linear*d/Range) (slide 11), but for small spheres
+// round the lamps. Quadratic attenuation is the lamp's own.
+#macro Medium(Range, Linear)
+  pigment {{ rgbt 1 }} hollow no_image no_reflection
+  interior {{ fade_distance (Range + Linear*Radius)/Linear fade_power 1 fade_color rgb 0 }}
+#end
+#declare Space = box {{ -{0}*<1, 1, 1>, {0}*<1, 1, 1> pigment {{ rgbt 1 }} }}
+)",
+                       number(kMediumReach));
+}
+
+// The colour of one lamp and the attenuation that POV-Ray has: 2/(1 + (d/fade_distance)^power).
+std::string lamp_color(const Light& light, int samples) {
+  const Attenuation a = attenuation_of(light);
+  std::string text = fmt::format("rgb LightColor({})", vector_text(diffuse_power(light)));
+  if (samples > 1) text += fmt::format("/{}", samples);
+  if (a.linear == 0 && a.quadratic == 0) return text;
+  const std::string range = number(a.range);
+  if (has_medium(light)) text += fmt::format(" * {0}/({0} + {1}*Radius)", range, number(a.linear));
+  return text +
+         (a.quadratic > 0
+              ? fmt::format("/2 fade_distance {}/sqrt({}) fade_power 2", range, number(a.quadratic))
+              : fmt::format("/2 fade_distance {}/{} fade_power 1", range, number(a.linear)));
+}
+
+std::string medium(const Light& light) {
+  const Attenuation a = attenuation_of(light);
+  return fmt::format("Medium({}, {})", number(a.range), number(a.linear));
+}
+
+void write_directional(const Light& light, const DirectionalLight& sun, std::ostream& out) {
+  out << fmt::format(
+      "  light_source {{ -{}*vnormalize({}) rgb LightColor({}) parallel point_at <0, 0, 0> }}\n",
+      number(kSunDistance), vector_text(sun.direction), vector_text(diffuse_power(light)));
+}
+
+void write_point(const Light& light, const PointLight& point, const std::string& cone,
+                 std::ostream& out) {
+  const bool filtered = has_medium(light) || !cone.empty();
+  const std::string at = vector_text(point.origin);
+  if (filtered)
+    out << fmt::format("  #declare Radius = {};\n", number(filter_radius(point.origin)));
+  out << fmt::format("  light_source {{ {} {} }}\n", at, lamp_color(light, 1));
+  if (!filtered) return;
+  const std::string sphere = fmt::format("sphere {{ 0, Radius {} translate {}",
+                                         cone.empty() ? "pigment { rgbt 1 }" : cone, at);
+  if (has_medium(light))
+    out << fmt::format("  difference {{ object {{ Space }} {} }} {} }}\n", sphere, medium(light));
+  else
+    out << fmt::format("  {} hollow no_image no_reflection }}\n", sphere);
+}
+
+void write_spot(const Light& light, const SpotLight& spot, std::ostream& out) {
+  if (spot.exponent == 0) {
+    out << "  // Exponent 0: 1 - (angle/cutoff)^0 is no light at all.\n";
+    return;
+  }
+  write_point(light, spot.point,
+              fmt::format("Cone({}, {}, {})", vector_text(spot.direction), number(spot.cutoff),
+                          number(spot.exponent)),
+              out);
+}
+
+void write_area(const Light& light, const AreaLight& area, const std::string& name,
+                std::ostream& out) {
+  const std::vector<Point> samples = area_samples(area);
+  const std::size_t count = samples.size();
+  out << fmt::format("  #declare {}_Samples = array[{}] {{  // {} columns, {} rows\n", name, count,
+                     area.columns, area.rows);
+  for (std::size_t i = 0; i < count; ++i)
+    out << "    " << vector_text(samples[i]) << (i + 1 < count ? ",\n" : "\n  }\n");
+  const std::string loop = fmt::format("#for (I, 0, {})", count - 1);
+  if (has_medium(light))
+    out << fmt::format("  #declare Radius = {};\n", number(filter_radius(area.point.origin)));
+  out << fmt::format("  {} light_source {{ {}_Samples[I] {} }} #end\n", loop, name,
+                     lamp_color(light, int(count)));
+  if (has_medium(light))
+    out << fmt::format(
+        "  difference {{\n    object {{ Space }}\n    {} sphere {{ {}_Samples[I], Radius "
+        "pigment {{ rgbt 1 }} }} #end\n    {}\n  }}\n",
+        loop, name, medium(light));
+}
+
+template <class... F>
+struct Overload : F... {
+  using F::operator()...;
+};
+template <class... F>
+Overload(F...) -> Overload<F...>;
+
+void write_light(const Light& light, const std::string& name, std::ostream& out) {
+  out << fmt::format("\n#if (Shines({}))  // {}\n", name, light_type(light));
+  std::visit(Overload{[&](const DirectionalLight& l) { write_directional(light, l, out); },
+                      [&](const PointLight& l) { write_point(light, l, "", out); },
+                      [&](const SpotLight& l) { write_spot(light, l, out); },
+                      [&](const AreaLight& l) { write_area(light, l, name, out); }},
+             light.shape);
+  out << "#end\n";
+}
+
+void refuse_sample_code(const Scene& scene) {
+  if (scene.shading == Shading::SampleCode)
+    throw Refusal(fmt::format(
+        "{}: shading: \"sample-code\" is not a reading that POV-Ray can render; export the scene "
+        "with shading = \"equation\"",
+        scene.file.empty() ? scene.name : scene.file.string()));
+}
+
+}  // namespace
+}  // namespace povray
+
+void write_povray(const Scene& original, std::ostream& out) {
+  using namespace povray;
+  refuse_sample_code(original);
+  const Scene scene = into_envelope(original);
+  const Names names = names_of(scene);
+  const bool whole = renders_whole(scene);
+  std::vector<std::string> notes = povray_caveats(original);
+  notes.insert(notes.begin(),
+               whole ? fmt::format("Without +KFI and +KFF (frame 0) all lights shine at once, "
+                                   "times {}.",
+                                   number(whole_gain(scene)))
+                     : "There is no frame with all lights at once: POV-Ray lets a medium or a "
+                       "specular colour belong to all lights only.");
+  write_header(scene, envelope_of(original),
+               "Written by litmus for POV-Ray 3.7: the model's own formulas, exactly.", notes, out);
+  write_layers(scene, names, whole, out);
+  write_camera(scene, out);
+  write_materials(scene, names, out);
+  write_objects(scene, names, out);
+  write_light_macros(scene, out);
+  for (std::size_t i = 0; i < scene.lights.size(); ++i)
+    write_light(scene.lights[i], names.lights[i], out);
+}
+
+std::vector<std::string> povray_caveats(const Scene&) { return {}; }
+
+}  // namespace litmus

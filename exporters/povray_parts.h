@@ -1,0 +1,50 @@
+// povray_parts.h: what the exact and the native POV-Ray export have in common.
+#pragma once
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+#include "exporters/envelope.h"
+#include "scene/scene.h"
+
+namespace litmus::povray {
+
+/// "<1, 2, 3>"
+std::string vector_text(const Vector& v);
+
+/// The names that the file declares, parallel to the scene's materials and lights.
+struct Names {
+  std::vector<std::string> materials;  ///< "Material_RedFloor"
+  std::vector<std::string> lights;     ///< "Light_Key"; a number, the light's frame
+};
+Names names_of(const Scene& scene);
+
+/// What light `index` adds at most, per channel: the intensity times its colour.
+Color diffuse_power(const Light& light);
+Color specular_power(const Light& light);
+/// Ia: the scene's ambient colour plus each light's intensity times its ambient colour.
+Color ambient_power(const Scene& scene);
+
+/// A factor per channel that turns each light's diffuse into its specular colour, the same for all
+/// lights. False if there is none.
+bool common_specular(const Scene& scene, Color& factor);
+
+/// The attenuation of a light, or none for a directional one.
+Attenuation attenuation_of(const Light& light);
+
+/// The gain of frame 0: all layers together do not clip.
+double whole_gain(const Scene& scene);
+
+/// The header: what the scene shows, the command, the frames. `notes` are further paragraphs.
+void write_header(const Scene& scene, const Envelope& envelope, const std::string& kind,
+                  const std::vector<std::string>& notes, std::ostream& out);
+
+/// #version, global_settings and the choice of the layer. `whole`: frame 0 renders all lights.
+void write_layers(const Scene& scene, const Names& names, bool whole, std::ostream& out);
+
+void write_camera(const Scene& scene, std::ostream& out);
+void write_materials(const Scene& scene, const Names& names, std::ostream& out);
+void write_objects(const Scene& scene, const Names& names, std::ostream& out);
+
+}  // namespace litmus::povray
