@@ -1,0 +1,294 @@
+// povray_driver.cpp: two passes of POV-Ray per scene, several scenes at a time.
+#include "reference/povray_driver.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <mutex>
+#include <sstream>
+#include <stdexcept>
+#include <thread>
+
+#include "compare/image_io.h"
+#include "exporters/povray.h"
+#include "reference/process.h"
+#include "scene/refusal.h"
+
+namespace litmus {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kBoost = 65536;  // one step of 16 bits becomes 1: well inside a half float
+constexpr double kOpacity =
+    0.5;  // of the screen: half of what it takes off, half of what is behind
+constexpr double kScreen = 0.01;        // its distance; POV-Ray sees nothing nearer than 1e-4
+constexpr int kProcessesPerThread = 4;  // a process sleeps most of its time
+
+std::size_t frames(const Scene& scene) { return scene.lights.size() + 1; }
+
+// POV-Ray's frame numbers have as many digits as the last one.
+int digits(const Scene& scene) { return int(fmt::formatted_size("{}", frames(scene))); }
+
+fs::path frame_file(const Scene& scene, const std::string& stem, std::size_t layer,
+                    const char* extension) {
+  if (scene.lights.empty()) return stem + extension;
+  return fmt::format("{}{:0{}}{}", stem, layer + 1, digits(scene), extension);
+}
+
+std::string read_text(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+void write_text(const fs::path& file, const std::string& text) {
+  std::ofstream out(file, std::ios::binary);
+  out << text;
+  if (!out.flush()) throw std::runtime_error(fmt::format("{}: cannot be written", file.string()));
+}
+
+std::string exported(const Scene& scene) {
+  std::ostringstream out;
+  write_povray(scene, out);
+  return out.str();
+}
+
+std::vector<std::string> first_pass(const Scene& scene) { return povray_arguments(scene, "scene"); }
+
+std::vector<std::string> second_pass(const Scene& scene) {
+  std::vector<std::string> arguments = povray_arguments(scene, "residual");
+  std::replace(arguments.begin(), arguments.end(), std::string("+Oresidual.png"),
+               std::string("+Oresidual.exr"));
+  std::replace(arguments.begin(), arguments.end(), std::string("+FN16"), std::string("+FE"));
+  return arguments;
+}
+
+std::string source(const Scene& scene) {
+  // Words for people do not change the picture.
+  Scene nameless = scene;
+  nameless.name = "scene";
+  nameless.file.clear();
+  nameless.about.clear();
+  return fmt::format("{}\n{}\n{}\n{}\n", exported(nameless), povray_residual(scene),
+                     fmt::join(first_pass(scene), " "), fmt::join(second_pass(scene), " "));
+}
+
+std::optional<Installation> find() {
+  const fs::path program = find_program("povray");
+  if (program.empty()) return std::nullopt;
+  const fs::path folder = fs::temp_directory_path() / fmt::format("litmus-povray-{}", ::getpid());
+  const fs::path log = folder / "version.log";
+  const ProcessResult result =
+      run_process({.arguments = {program.string(), "--version"}, .directory = folder, .log = log});
+  const std::string text = read_text(log);
+  std::error_code ignored;
+  fs::remove_all(folder, ignored);
+  // "POV-Ray 3.7.0.10.unofficial": the digits and dots.
+  constexpr std::string_view kTitle = "POV-Ray ";
+  const std::size_t at = text.find(kTitle);
+  if (!result.ok() || at == std::string::npos) return std::nullopt;
+  const std::size_t start = at + kTitle.size();
+  std::string version = text.substr(start, text.find_first_not_of("0123456789.", start) - start);
+  while (!version.empty() && version.back() == '.') version.pop_back();
+  return Installation{program, version};
+}
+
+// One run of POV-Ray in the scene's folder. Throws std::runtime_error if it failed.
+struct Pass {
+  std::string command;
+  fs::path log;
+};
+
+Pass run_pass(const Installation& povray, const fs::path& folder, const std::string& stem,
+              std::vector<std::string> arguments, int threads, const ReferenceOptions& options) {
+  arguments.push_back(fmt::format("+WT{}", threads));
+  Pass pass{fmt::format("povray {}", fmt::join(arguments, " ")), folder / (stem + ".log")};
+  arguments.insert(arguments.begin(), povray.program.string());
+  const ProcessResult result = run_process({.arguments = arguments,
+                                            .directory = folder,
+                                            .log = pass.log,
+                                            .time_limit = options.time_limit});
+  if (!result.ok())
+    throw std::runtime_error(fmt::format("{} ({})", result.explanation, pass.command));
+  return pass;
+}
+
+Picture read_frame(const Scene& scene, const fs::path& file) {
+  Picture picture = read_picture(file);
+  const int width = scene.width * scene.samples, height = scene.height * scene.samples;
+  if (picture.width != width || picture.height != height)
+    throw std::runtime_error(fmt::format("{} has {} x {} pixels instead of {} x {}",
+                                         file.filename().string(), picture.width, picture.height,
+                                         width, height));
+  for (const auto& p : picture.pixels)
+    if (!std::isfinite(p.r) || !std::isfinite(p.g) || !std::isfinite(p.b))
+      throw std::runtime_error(
+          fmt::format("{} has a pixel that is not a number", file.filename().string()));
+  return picture;
+}
+
+// The mean of samples x samples pixels.
+Picture averaged(const Picture& fine, int samples) {
+  if (samples == 1) return fine;
+  Picture picture(fine.width / samples, fine.height / samples);
+  for (int y = 0; y < fine.height; ++y)
+    for (int x = 0; x < fine.width; ++x)
+      picture.at(x / samples, y / samples) += fine.at(x, y) / double(samples * samples);
+  return picture;
+}
+
+Layer read_layer(const Scene& scene, const fs::path& folder, std::size_t layer) {
+  Picture picture = read_frame(scene, folder / frame_file(scene, "scene", layer, ".png"));
+  const Picture residual = read_frame(scene, folder / frame_file(scene, "residual", layer, ".exr"));
+  const double gain = povray_gain(scene, layer);
+  for (std::size_t i = 0; i < picture.pixels.size(); ++i)
+    picture.pixels[i] = (picture.pixels[i] + residual.pixels[i] / ((1 - kOpacity) * kBoost)) / gain;
+  const Light* light = layer == 0 ? nullptr : &scene.lights[layer - 1];
+  return {light ? light->name : "ambient", std::string(light ? light_type(*light) : "ambient"),
+          averaged(picture, scene.samples)};
+}
+
+ReferenceResult render_one(const Installation& povray, const Scene& scene, const fs::path& folder,
+                           int threads, const ReferenceOptions& options) {
+  ReferenceResult result;
+  result.scene = scene.name;
+  try {
+    fs::remove_all(folder);
+    fs::create_directories(folder);
+    write_text(folder / "scene.pov", exported(scene));
+    write_text(folder / "residual.pov", povray_residual(scene));
+    for (const char* stem : {"scene", "residual"}) {
+      result.log = folder / fmt::format("{}.log", stem);
+      const bool first = result.command.empty();
+      const Pass pass = run_pass(povray, folder, stem,
+                                 first ? first_pass(scene) : second_pass(scene), threads, options);
+      result.command += (first ? "" : "; ") + pass.command;
+      result.seconds += povray_trace_seconds(read_text(pass.log));
+    }
+    for (std::size_t layer = 0; layer < frames(scene); ++layer)
+      result.layers.push_back(read_layer(scene, folder, layer));
+  } catch (const std::exception& error) {
+    result.layers.clear();
+    result.failure = error.what();
+  }
+  return result;
+}
+
+// Rays to trace, roughly: the longest scene should not start last.
+double work(const Scene& scene) {
+  double lamps = 1;
+  for (const Light& light : scene.lights) {
+    const AreaLight* area = std::get_if<AreaLight>(&light.shape);
+    lamps += area ? double(area->columns) * area->rows : 1;
+  }
+  double triangles = 0;
+  for (const Object& object : scene.objects)
+    if (const Mesh* mesh = std::get_if<Mesh>(&object.shape))
+      triangles += double(mesh->triangles.size());
+  const double rays = double(scene.width) * scene.height * scene.samples * scene.samples * lamps;
+  return rays + triangles * double(frames(scene));
+}
+
+void render(const Installation& povray, std::span<const Scene> scenes,
+            const ReferenceOptions& options, const ResultSink& sink) {
+  if (scenes.empty()) return;
+  std::vector<std::size_t> order(scenes.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return work(scenes[a]) > work(scenes[b]); });
+  const int count = int(scenes.size()), threads = std::max(options.threads, 1);
+  const int workers = std::min(count, threads * kProcessesPerThread);
+  const int threads_each = std::max(threads / count, 1);
+
+  std::atomic<std::size_t> next = 0;
+  std::mutex reporting;
+  std::exception_ptr broken;  // thrown by the sink
+  const auto worker = [&] {
+    for (std::size_t i = next++; i < order.size(); i = next++) {
+      const Scene& scene = scenes[order[i]];
+      const fs::path folder = options.work / fmt::format("{:04}", order[i]);
+      ReferenceResult result = render_one(povray, scene, folder, threads_each, options);
+      const std::lock_guard lock(reporting);
+      try {
+        if (options.progress)
+          options.progress(fmt::format("POV-Ray: {}{}", scene.name,
+                                       result.failure.empty() ? "" : ": " + result.failure));
+        sink(std::move(result));
+      } catch (...) {
+        broken = std::current_exception();
+        next = order.size();
+      }
+    }
+  };
+  {
+    std::vector<std::jthread> pool;
+    for (int i = 0; i < workers; ++i) pool.emplace_back(worker);
+  }
+  if (broken) std::rethrow_exception(broken);
+}
+
+}  // namespace
+
+std::string povray_residual(const Scene& scene) {
+  const bool flat = scene.camera.projection == Projection::Orthographic;
+  const std::string picture =
+      scene.lights.empty()
+          ? "\"scene.png\""
+          : fmt::format("concat(\"scene\", str(frame_number, -{}, 0), \".png\")", digits(scene));
+  return fmt::format(
+      R"(// What 16 bits lost of scene.pov, {0} times as strong: a screen just before the camera takes the
+// picture that has been rendered off the light that comes through it.
+#version 3.7;
+#declare Boost = {0};
+#include "scene.pov"
+#declare Near = {1};
+#declare Size = {2};
+#declare Corner = Eye + Near*Forward - Size/2*(PictureRight + PictureUp);
+polygon {{
+  5, <0, 0>, <1, 0>, <1, 1>, <0, 1>, <0, 0>
+  pigment {{ image_map {{ png {3} gamma 1.0 once transmit all {4} }} }}
+  finish {{ emission -Boost }}
+  interior {{ ior 1 }}
+  no_shadow
+  matrix <Size*PictureRight.x, Size*PictureRight.y, Size*PictureRight.z,
+          Size*PictureUp.x, Size*PictureUp.y, Size*PictureUp.z,
+          Forward.x, Forward.y, Forward.z, Corner.x, Corner.y, Corner.z>
+}}
+)",
+      kBoost, kScreen, flat ? "1" : "Near", picture, kOpacity);
+}
+
+double povray_trace_seconds(const std::string& log) {
+  double total = 0;
+  for (std::size_t at = log.find("Trace Time:"); at != std::string::npos;
+       at = log.find("Trace Time:", at + 1)) {
+    constexpr std::string_view kWith = "thread(s) with ";
+    const std::size_t with = log.find(kWith, at);
+    if (with == std::string::npos) break;
+    double seconds = 0;
+    const char* start = log.data() + with + kWith.size();
+    if (std::from_chars(start, log.data() + log.size(), seconds).ec == std::errc())
+      total += seconds;
+  }
+  return total;
+}
+
+Driver povray_driver() {
+  return {.name = "povray",
+          .title = "POV-Ray",
+          .package = "povray",
+          .revision = 1,
+          .find = find,
+          .source = source,
+          .render = render};
+}
+
+}  // namespace litmus
