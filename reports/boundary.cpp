@@ -8,7 +8,7 @@
 namespace litmus {
 namespace {
 
-constexpr int kDirections = 16;
+constexpr int kDirections = 12;
 
 glm::dvec3 value_at(const Probe& probe, double x, double y, std::size_t layer) {
   const std::vector<glm::dvec3> colors = probe(x, y);
@@ -26,7 +26,7 @@ bool close(const glm::dvec3& a, const glm::dvec3& b, double slack) {
 
 std::optional<double> boundary_distance(const Probe& probe, int x, int y, std::size_t layer,
                                         const glm::dvec3& theirs, double slack) {
-  for (double radius = 1e-6; radius <= kBoundaryPixels * 1.0001; radius *= std::pow(10, 0.1)) {
+  for (double radius = kBoundaryPixels / 1024; radius <= kBoundaryPixels; radius *= 2) {
     for (int i = 0; i < kDirections; ++i) {
       const double angle = 2 * std::numbers::pi * i / kDirections;
       const double dx = radius * std::cos(angle), dy = radius * std::sin(angle);

@@ -19,7 +19,8 @@
 namespace litmus {
 namespace {
 
-constexpr std::size_t kListedPixels = 50;  // causes per row; beyond that a row is a failure anyway
+constexpr std::size_t kListedPixels = 50;  // causes per row
+constexpr int kUnknownCauses = 5;  // after that many, a row is a failure and needs no more words
 
 std::vector<const Driver*> chosen_drivers(const std::vector<std::string>& names) {
   std::vector<const Driver*> chosen;
@@ -75,21 +76,25 @@ Comparison row_of(const Difference& d, Region region, const Tolerance& tolerance
   return row;
 }
 
+std::string cause_of(const Difference::Pixel& pixel, std::optional<double> distance) {
+  return distance ? fmt::format(
+                        "({}, {}) differs by {:.3g}: a boundary passes within {:.1g} px of the "
+                        "pixel's centre, and there our value is theirs",
+                        pixel.x, pixel.y, pixel.max_abs, *distance)
+                  : fmt::format("({}, {}) differs by {:.3g}: no boundary within {} px explains it",
+                                pixel.x, pixel.y, pixel.max_abs, kBoundaryPixels);
+}
+
 /// Names the cause of each edge pixel over the tolerance, and counts those with a known one.
 void explain(Comparison& row, const Difference& d, const Probe& probe, std::size_t layer,
-             const Picture& theirs, double slack) {
-  for (std::size_t i = 0; i < std::min(d.over.size(), kListedPixels); ++i) {
-    const auto [x, y, difference] = d.over[i];
-    const auto distance = boundary_distance(probe, x, y, layer, theirs.at(x, y), slack);
-    if (distance) ++row.explained;
-    row.causes.push_back(
-        distance
-            ? fmt::format(
-                  "({}, {}) differs by {:.3g}: a boundary passes within {:.1g} px of the pixel's "
-                  "centre, and there our value is theirs",
-                  x, y, difference, *distance)
-            : fmt::format("({}, {}) differs by {:.3g}: no boundary within {} px explains it", x, y,
-                          difference, kBoundaryPixels));
+             const Picture& theirs) {
+  int unknown = 0;
+  for (const Difference::Pixel& pixel : d.over) {
+    if (row.causes.size() == kListedPixels || unknown == kUnknownCauses) break;
+    const auto distance = boundary_distance(probe, pixel.x, pixel.y, layer,
+                                            theirs.at(pixel.x, pixel.y), row.tolerance);
+    distance ? ++row.explained : ++unknown;
+    row.causes.push_back(cause_of(pixel, distance));
   }
 }
 
@@ -107,7 +112,7 @@ std::vector<Comparison> compare_layer(const CaseLayer& layer, std::size_t index,
   std::vector<Comparison> rows{row_of(interior, Region::Interior, inside),
                                row_of(edge, Region::Edge, border),
                                row_of(measure(Region::All, border), Region::All, border)};
-  explain(rows[1], edge, probe, index, theirs, inside.max_abs);
+  explain(rows[1], edge, probe, index, theirs);
   rows[2].explained = rows[1].explained;
   const Verdict first = judge(interior, inside), second = judge(edge, border, rows[1].explained);
   const Verdict verdicts[] = {first, second, combine(first, second)};
