@@ -46,7 +46,12 @@ std::vector<StoreKey> keys_of(const Scene& scene, const Driver& driver, const st
 
 void round_to_float(Layers& layers) {
   for (auto& layer : layers)
-    for (auto& pixel : layer.picture.pixels) pixel = glm::dvec3(glm::vec3(pixel));
+    for (auto& pixel : layer.picture.pixels)
+      for (int c = 0; c < 3; ++c) {
+        // volatile: g++ 12 vectorises a round trip through float in pairs and then drops it.
+        const volatile float rounded = float(pixel[c]);
+        pixel[c] = rounded;
+      }
 }
 
 /// Fills the job's result from the store if all its layers are there.

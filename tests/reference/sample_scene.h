@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -28,11 +29,12 @@ inline Scene sample_scene(const std::string& name, double ambient = 0.1) {
   return scene;
 }
 
-/// A picture whose every value follows from `seed`.
+/// A picture whose every value follows from `seed` and is a 32-bit float exactly.
 inline Picture sample_picture(int width, int height, double seed) {
+  const double base = std::round(seed * 64) / 64;
   Picture picture(width, height);
   for (std::size_t i = 0; i < picture.pixels.size(); ++i)
-    picture.pixels[i] = glm::dvec3(glm::vec3(seed + 0.1 * double(i), -seed, 1.0 / (seed + 1)));
+    picture.pixels[i] = glm::dvec3(base + double(i) / 256, -base, base + 0.5);
   return picture;
 }
 
