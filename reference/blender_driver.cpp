@@ -1,0 +1,276 @@
+// blender_driver.cpp: one Blender process for many scenes.
+#include "reference/blender_driver.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <stdexcept>
+
+#include "compare/image_io.h"
+#include "exporters/blender.h"
+#include "reference/process.h"
+#include "scene/refusal.h"
+
+namespace litmus {
+namespace {
+
+namespace fs = std::filesystem;
+
+// What decides the image apart from the export; --factory-startup and -Y keep the user's own
+// settings and scripts out.
+const std::vector<std::string> kArguments = {
+    "-b", "--factory-startup", "-Y", "--debug-cycles", "--python-exit-code", "9"};
+
+std::string read_text(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+void write_text(const fs::path& file, const std::string& text) {
+  std::ofstream out(file, std::ios::binary);
+  out << text;
+  if (!out.flush()) throw std::runtime_error(fmt::format("{}: cannot be written", file.string()));
+}
+
+std::string exported(const Scene& scene) {
+  std::ostringstream out;
+  write_blender(scene, out);
+  return out.str();
+}
+
+std::string source(const Scene& scene) {
+  // Words for people do not change the picture.
+  Scene nameless = scene;
+  nameless.name = "scene";
+  nameless.file.clear();
+  nameless.about.clear();
+  return fmt::format("{}\n{}\n", exported(nameless), fmt::join(kArguments, " "));
+}
+
+std::optional<Installation> find() {
+  const fs::path program = find_program("blender");
+  if (program.empty()) return std::nullopt;
+  const fs::path folder = fs::temp_directory_path() / fmt::format("litmus-blender-{}", ::getpid());
+  const fs::path log = folder / "version.log";
+  const ProcessResult result =
+      run_process({.arguments = {program.string(), "--version"}, .directory = folder, .log = log});
+  const std::string text = read_text(log);
+  std::error_code ignored;
+  fs::remove_all(folder, ignored);
+  constexpr std::string_view kTitle = "Blender ";
+  const std::size_t at = text.find(kTitle);
+  if (!result.ok() || at == std::string::npos) return std::nullopt;
+  const std::size_t start = at + kTitle.size();
+  return Installation{program,
+                      text.substr(start, text.find_first_not_of("0123456789.", start) - start)};
+}
+
+std::string label(std::size_t scene) { return fmt::format("{:04}", scene); }
+
+fs::path frame_file(const Scene& scene, const fs::path& folder, std::size_t frame) {
+  return folder / fmt::format("{}_{:04}.exr", blender_stem(scene), frame + 1);
+}
+
+/// Adds a frame to a layer's picture: the mean of samples x samples of its pixels is one pixel.
+void add_frame(const Scene& scene, const fs::path& file, Picture& sum) {
+  const Picture fine = read_picture(file);
+  const int n = scene.samples;
+  if (fine.width != scene.width * n || fine.height != scene.height * n) {
+    throw std::runtime_error(fmt::format("{} has {} x {} pixels instead of {} x {}",
+                                         file.filename().string(), fine.width, fine.height,
+                                         scene.width * n, scene.height * n));
+  }
+  for (int y = 0; y < fine.height; ++y) {
+    for (int x = 0; x < fine.width; ++x) {
+      const glm::dvec3& p = fine.at(x, y);
+      if (!std::isfinite(p.r) || !std::isfinite(p.g) || !std::isfinite(p.b)) {
+        throw std::runtime_error(fmt::format("{} has a pixel at {}, {} that is not a number",
+                                             file.filename().string(), x, y));
+      }
+      sum.at(x / n, y / n) += p / double(n * n);
+    }
+  }
+}
+
+Layers read_layers_of(const Scene& scene, const fs::path& folder) {
+  Layers layers{{"ambient", "ambient", Picture(scene.width, scene.height)}};
+  for (const Light& light : scene.lights) {
+    layers.push_back(
+        {light.name, std::string(light_type(light)), Picture(scene.width, scene.height)});
+  }
+  const std::vector<BlenderFrame> frames = blender_frames(scene);
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    add_frame(scene, frame_file(scene, folder, i),
+              layers[std::size_t(frames[i].light + 1)].picture);
+  }
+  return layers;
+}
+
+/// A batch under way: which scenes are still to do, and how far the running process has come.
+struct Batch {
+  const Installation& blender;
+  std::span<const Scene> scenes;
+  const ReferenceOptions& options;
+  const ResultSink& sink;
+  std::vector<std::size_t> waiting;  ///< in order
+  std::string command;
+  fs::path log;
+
+  void report(std::size_t scene, const std::string& failure) {
+    ReferenceResult result;
+    result.scene = scenes[scene].name;
+    result.command = command;
+    result.log = log;
+    result.failure = failure;
+    const fs::path folder = options.work / label(scene);
+    if (failure.empty()) try {
+        result.layers = read_layers_of(scenes[scene], folder);
+        result.seconds = blender_render_seconds(read_text(log), scene);
+      } catch (const std::exception& error) {
+        result.failure = error.what();
+        result.layers.clear();
+      }
+    // The frames of a large area light are many; the layers are what counts.
+    std::error_code ignored;
+    if (result.failure.empty()) fs::remove_all(folder, ignored);
+    if (options.progress) {
+      options.progress(fmt::format("Blender: {}{}", result.scene,
+                                   result.failure.empty() ? "" : ": " + result.failure));
+    }
+    sink(std::move(result));
+  }
+
+  /// Reports the scenes that have ended since the last look at the log.
+  void follow() {
+    const std::string text = read_text(log);
+    while (!waiting.empty()) {
+      const std::size_t scene = waiting.front();
+      const std::string end = fmt::format("litmus end {}", scene);
+      if (text.find(end + " ok\n") != std::string::npos) {
+        waiting.erase(waiting.begin());
+        report(scene, "");
+      } else if (text.find(end + " failed\n") != std::string::npos) {
+        waiting.erase(waiting.begin());
+        report(scene, fmt::format("the script of {} failed in Blender (see {})", scenes[scene].name,
+                                  log.string()));
+      } else {
+        break;
+      }
+    }
+  }
+};
+
+void prepare(Batch& batch) {
+  std::vector<std::size_t> ready;
+  for (const std::size_t scene : batch.waiting) {
+    try {
+      fs::remove_all(batch.options.work / label(scene));
+      write_text(batch.options.work / (label(scene) + ".py"), exported(batch.scenes[scene]));
+      ready.push_back(scene);
+    } catch (const std::exception& error) {
+      batch.report(scene, error.what());
+    }
+  }
+  batch.waiting = ready;
+}
+
+ProcessResult run_batch(Batch& batch, int attempt) {
+  std::vector<std::string> arguments = kArguments;
+  arguments.insert(arguments.end(), {"-P", "batch.py", "-t",
+                                     std::to_string(std::max(batch.options.threads, 1)), "--"});
+  for (const std::size_t scene : batch.waiting) arguments.push_back(std::to_string(scene));
+  batch.command = fmt::format("blender {}", fmt::join(arguments, " "));
+  batch.log = batch.options.work / fmt::format("blender-{}.log", attempt);
+  arguments.insert(arguments.begin(), batch.blender.program.string());
+  const ProcessResult result = run_process({.arguments = arguments,
+                                            .directory = batch.options.work,
+                                            .log = batch.log,
+                                            .time_limit = batch.options.time_limit,
+                                            .while_running = [&] { batch.follow(); }});
+  batch.follow();
+  return result;
+}
+
+void render(const Installation& blender, std::span<const Scene> scenes,
+            const ReferenceOptions& options, const ResultSink& sink) {
+  Batch batch{blender, scenes, options, sink, {}, {}, {}};
+  for (std::size_t i = 0; i < scenes.size(); ++i) batch.waiting.push_back(i);
+  fs::create_directories(options.work);
+  write_text(options.work / "batch.py", blender_batch());
+  prepare(batch);
+
+  // Every turn ends at least one scene: the process's own, or the one it stopped at.
+  for (int attempt = 1; !batch.waiting.empty(); ++attempt) {
+    const ProcessResult result = run_batch(batch, attempt);
+    if (batch.waiting.empty()) break;
+    const std::string reason = result.ok() ? "Blender ended early" : result.explanation;
+    const std::string begun = fmt::format("litmus begin {}\n", batch.waiting.front());
+    const bool at_work = read_text(batch.log).find(begun) != std::string::npos;
+    do {
+      const std::size_t scene = batch.waiting.front();
+      batch.waiting.erase(batch.waiting.begin());
+      batch.report(scene, reason);
+      // A process that began nothing would begin nothing again.
+    } while (!at_work && !batch.waiting.empty());
+  }
+}
+
+}  // namespace
+
+std::string blender_batch() {
+  return R"(# Runs the scripts of many scenes in one Blender. Behind "--": their numbers.
+import os, sys, traceback
+
+here = os.path.dirname(os.path.abspath(__file__))
+for scene in sys.argv[sys.argv.index("--") + 1:]:
+    label = scene.zfill(4)
+    print("litmus begin " + scene, flush=True)
+    sys.argv[sys.argv.index("--") + 1:] = [os.path.join(here, label), "--no-blend"]
+    script = os.path.join(here, label + ".py")
+    try:
+        with open(script, encoding="utf-8") as text:
+            exec(compile(text.read(), script, "exec"), {"__name__": "__main__"})
+        state = "ok"
+    except BaseException:
+        traceback.print_exc()
+        state = "failed"
+    sys.stdout.flush()
+    sys.stderr.flush()
+    print("litmus end " + scene + " " + state, flush=True)
+)";
+}
+
+double blender_render_seconds(const std::string& log, std::size_t scene) {
+  const std::size_t begin = log.find(fmt::format("litmus begin {}\n", scene));
+  if (begin == std::string::npos) return 0;
+  const std::size_t end =
+      std::min(log.find(fmt::format("litmus end {} ", scene), begin), log.size());
+  constexpr std::string_view kTotal = "Total render time: ";
+  double total = 0;
+  for (std::size_t at = log.find(kTotal, begin); at < end; at = log.find(kTotal, at + 1)) {
+    double seconds = 0;
+    const char* start = log.data() + at + kTotal.size();
+    if (std::from_chars(start, log.data() + log.size(), seconds).ec == std::errc())
+      total += seconds;
+  }
+  return total;
+}
+
+Driver blender_driver() {
+  return {.name = "blender",
+          .title = "Blender Cycles",
+          .package = "blender",
+          .revision = 1,
+          .find = find,
+          .source = source,
+          .render = render};
+}
+
+}  // namespace litmus
