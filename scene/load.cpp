@@ -35,7 +35,7 @@ class Names {
 
 void check_schema(const Fields& fields) {
   const Node* schema = fields.find("schema");
-  if (!schema) fields.refuse_missing("schema", "1");
+  if (!schema) fields.refuse_missing("schema", "1: begin the file with schema = 1");
   const auto* version = std::get_if<std::int64_t>(&schema->value);
   if (!version || *version != 1) fields.refuse_value("schema", *schema, "1");
 }

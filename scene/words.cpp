@@ -46,7 +46,7 @@ std::vector<std::string> near_words(std::string_view word,
   for (const std::string& candidate : candidates) {
     const int distance = edit_distance(word, candidate);
     const int longest = int(std::max(word.size(), candidate.size()));
-    if (distance <= std::max(1, longest / 3) && distance < longest)
+    if (distance <= std::max(1, (longest + 1) / 3) && distance < longest)
       ranked.emplace_back(distance, candidate);
   }
   std::stable_sort(ranked.begin(), ranked.end(),

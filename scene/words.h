@@ -16,7 +16,7 @@ std::string number_text(double value);
 int edit_distance(std::string_view a, std::string_view b);
 
 /// The candidates that a typing error may have meant, nearest first: at most a third of the longer
-/// word's letters differ (one at least).
+/// word's letters differ, rounded (one at least).
 std::vector<std::string> near_words(std::string_view word, std::span<const std::string> candidates);
 
 /// `; did you mean "x"?`, or nothing if no candidate is near.

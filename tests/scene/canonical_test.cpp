@@ -1,0 +1,125 @@
+// canonical_test.cpp: the canonical scenes load, say what they show, and can be found by name.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <stdlib.h>
+
+#include <glm/geometric.hpp>
+#include <map>
+#include <set>
+
+#include "scene/load.h"
+#include "tests/scene/scratch_scene.h"
+
+namespace litmus {
+namespace {
+
+using testing::HasSubstr;
+
+std::string complaint(const std::string& name) {
+  try {
+    find_scene(name);
+  } catch (const Refusal& refusal) {
+    return refusal.what();
+  }
+  return {};
+}
+
+TEST(CanonicalScenes, LoadWithoutWarningsAndSayWhatTheyShow) {
+  for (const auto& file : canonical_scenes()) {
+    SCOPED_TRACE(file.string());
+    const Scene scene = load_scene(file);
+    EXPECT_TRUE(scene.warnings.empty());
+    EXPECT_GE(scene.about.size(), 30u);
+    EXPECT_TRUE(scene.about.ends_with('.'));
+    EXPECT_FALSE(scene.tags.empty());
+    for (const Light& light : scene.lights)
+      EXPECT_THAT(scene.tags, testing::Contains(std::string(light_type(light))));
+  }
+}
+
+TEST(CanonicalScenes, HaveUniqueIdsAndPictures) {
+  std::set<std::string> ids, fingerprints;
+  for (const auto& file : canonical_scenes()) {
+    const std::string name = file.stem().string();
+    EXPECT_TRUE(ids.insert(name.substr(0, name.find('-'))).second) << name;
+    EXPECT_TRUE(fingerprints.insert(fingerprint(load_scene(file))).second) << name;
+  }
+  for (const char* id : {"a1", "a3", "d1", "d2", "d3", "d4",  "d5", "p1", "p2", "p3", "p4",
+                         "p5", "p6", "s1", "s3", "s5", "s10", "r1", "r2", "r3", "r5", "r7",
+                         "c1", "c2", "v3", "v5", "x1", "x2",  "x3", "x4", "x5"})
+    EXPECT_TRUE(ids.contains(id)) << id;
+}
+
+/// What the references can be held to in seconds: Blender renders each sample of an area light
+/// apart.
+TEST(CanonicalScenes, AreCheapForTheReferences) {
+  for (const auto& file : canonical_scenes()) {
+    SCOPED_TRACE(file.string());
+    const Scene scene = load_scene(file);
+    EXPECT_LE(scene.width * scene.height, 240 * 180);
+    for (const Light& light : scene.lights)
+      if (const auto* area = std::get_if<AreaLight>(&light.shape)) {
+        EXPECT_LE(area->columns * area->rows, 20);
+      }
+  }
+}
+
+/// An infinite plane is a finite one in Blender, so each ray must reach it soon: the angle between
+/// the floor and the highest ray of a perspective camera is at least 10 degrees.
+TEST(CanonicalScenes, ShowNoHorizon) {
+  for (const auto& file : canonical_scenes()) {
+    const Scene scene = load_scene(file);
+    if (scene.camera.projection != Projection::Perspective) continue;
+    for (const Object& object : scene.objects) {
+      const auto* plane = std::get_if<Plane>(&object.shape);
+      if (!plane) continue;
+      const Vector view = glm::normalize(scene.camera.target - scene.camera.eye);
+      const double down = -std::asin(glm::dot(view, glm::normalize(plane->normal)));
+      EXPECT_GE(down - scene.camera.fov / 2, 10 * M_PI / 180) << file;
+    }
+  }
+}
+
+TEST(FindScene, TakesANameAnIdOrAPathInAnyCase) {
+  const auto file = find_scene("d5-sun-shadow");
+  EXPECT_EQ(file.filename(), "d5-sun-shadow.toml");
+  EXPECT_EQ(find_scene("D5"), file);
+  EXPECT_EQ(find_scene("d5-Sun-Shadow"), file);
+  EXPECT_EQ(find_scene(file.string()), file);
+}
+
+TEST(FindScene, DoesNotTakeTheBeginningOfAnId) {
+  EXPECT_EQ(find_scene("s1").filename(), "s1-spot-linear.toml");
+  EXPECT_EQ(find_scene("s10").filename(), "s10-spot-shadow.toml");
+}
+
+TEST(FindScene, NamesTheNearestWhereThereIsNone) {
+  EXPECT_THAT(complaint("d5-sun-shado"), HasSubstr("did you mean d5-sun-shadow"));
+  EXPECT_THAT(complaint("spot"), HasSubstr("s5-spot-tilted"));
+  EXPECT_THAT(complaint("nothing-like-it"), HasSubstr("`litmus list`"));
+  EXPECT_THAT(complaint("no/such.toml"), HasSubstr("no such scene file"));
+}
+
+TEST(DataDirectory, IsWhatTheEnvironmentSays) {
+  const ScratchFolder folder;
+  std::filesystem::create_directory(folder.path() / "canonical");
+  folder.write("canonical/q1-mine.toml", kScratchScene);
+  setenv("LITMUS_DATA", folder.path().c_str(), 1);
+  const auto data = data_directory();
+  const auto scenes = canonical_scenes();
+  const auto found = find_scene("q1");
+  unsetenv("LITMUS_DATA");
+  EXPECT_EQ(data, folder.path());
+  EXPECT_EQ(scenes.size(), 1u);
+  EXPECT_EQ(found, folder.path() / "canonical" / "q1-mine.toml");
+}
+
+TEST(DataDirectory, MustHoldScenes) {
+  const ScratchFolder folder;
+  setenv("LITMUS_DATA", folder.path().c_str(), 1);
+  EXPECT_THROW(canonical_scenes(), Refusal);
+  unsetenv("LITMUS_DATA");
+}
+
+}  // namespace
+}  // namespace litmus
