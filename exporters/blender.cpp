@@ -22,6 +22,9 @@ struct Overloaded : Ts... {
 template <class... Ts>
 Overloaded(Ts...) -> Overloaded<Ts...>;
 
+/// A name for people as a Python string; Blender takes no control characters in names.
+std::string label(const std::string& name) { return python_string(comment(name)); }
+
 std::string triple(const glm::dvec3& v) {
   return fmt::format("({}, {}, {})", number(v.x), number(v.y), number(v.z));
 }
@@ -83,7 +86,7 @@ std::vector<std::string> write_materials(const Scene& scene, std::ostream& out) 
   for (const Material& m : scene.materials) {
     names.push_back(identifier("Material", m.name, taken));
     out << fmt::format("{} = material({}, ambient={}, diffuse={}, specular={}, shininess={})\n",
-                       names.back(), python_string(m.name), triple(m.ambient), triple(m.diffuse),
+                       names.back(), label(m.name), triple(m.ambient), triple(m.diffuse),
                        triple(m.specular), number(m.shininess));
   }
   return names;
@@ -120,7 +123,7 @@ std::string rectangles(const std::vector<std::array<Point, 4>>& rings) {
 
 void write_object(const Scene& scene, const Object& object, const std::string& material,
                   std::ostream& out) {
-  const std::string start = python_string(object.name) + ", " + material;
+  const std::string start = label(object.name) + ", " + material;
   const std::string end = object.camera_visible ? ")\n" : ", visible=False)\n";
   const double aspect = double(scene.width) / scene.height;
   std::visit(Overloaded{
@@ -168,7 +171,7 @@ std::string falloff(const Attenuation& a) {
 }
 
 void write_light(const Light& light, bool shadows, std::ostream& out) {
-  const std::string name = python_string(light.name);
+  const std::string name = label(light.name);
   const std::string end = shadows ? ")\n" : ", shadows=False)\n";
   const std::string colours =
       fmt::format("intensity={}, diffuse={}, specular={}", number(light.intensity),
@@ -267,7 +270,7 @@ void write_blender(const Scene& given, std::ostream& out) {
   out << "\n\n# ---- The scene "
          "-------------------------------------------------------------------------------\n\n";
   const std::string stem = blender_stem(given);
-  out << fmt::format("new_scene({}, width={}, height={}, samples={})\n", python_string(scene.name),
+  out << fmt::format("new_scene({}, width={}, height={}, samples={})\n", label(scene.name),
                      scene.width, scene.height, scene.samples);
   out << "ambient(" << triple(ambient_of(scene)) << ")\n\n";
   const std::vector<std::string> materials = write_materials(scene, out);

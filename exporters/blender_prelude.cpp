@@ -5,16 +5,21 @@ namespace litmus {
 
 const std::string_view kBlenderPrelude = R"python(
 # ---- How a scene of the model becomes a Cycles scene: the same functions in every export ---------
-import base64, math, os, struct, sys, time
+import math, os, sys
 from array import array
+from collections import namedtuple
 import bpy
 from mathutils import Matrix
 
 # Cycles drops a closure whose colour is under 1e-5, so colours are raised and lamps dimmed by this.
 GAIN = 1e4
 
-frames = []     # (label, lamp object or None, lamp position, values of "Light of this frame")
-CONSTANT = 0    # the interpolation of a keyframe, as Blender counts them
+# What one frame shows: the lamp that is lit, where it stands if it moves, and the values of the nodes
+# in "Light of this frame", in their order.
+Frame = namedtuple("Frame", "label lamp place values")
+frames = []
+groups = {}                # node groups, made when first used
+ambient_colour = (0, 0, 0)
 
 
 def new_scene(name, width, height, samples=1):
@@ -22,6 +27,8 @@ def new_scene(name, width, height, samples=1):
     larger than the scene says: the mean of samples x samples pixels is one pixel of the scene."""
     bpy.ops.wm.read_factory_settings(use_empty=True)
     frames.clear()
+    groups.clear()
+    groups["light"] = light_group()
     scene = bpy.context.scene
     scene.name = name
     render, cycles = scene.render, scene.cycles
@@ -45,9 +52,6 @@ def new_scene(name, width, height, samples=1):
     cycles.sample_clamp_direct = cycles.sample_clamp_indirect = 0
     cycles.blur_glossy = 0
     cycles.caustics_reflective = cycles.caustics_refractive = False
-    global light_values
-    light_values = light_group()
-    groups.clear()
 
 
 # ---- Nodes ----------------------------------------------------------------------------------------
@@ -134,9 +138,6 @@ def attenuation(nodes, distance, linear, quadratic):
     return nodes.math("DIVIDE", 1.0, nodes.math("MULTIPLY", l, q), label="attenuation")
 
 
-groups = {}
-
-
 def blinn_phong(kind):
     """The node group ka Ia + kd Id (l.n) + ks Is (h.n)^ns. The lamp brings attenuation and cone, Cycles
     the shadow.
@@ -156,7 +157,7 @@ def blinn_phong(kind):
     tree.outputs.new("NodeSocketShader", "Shader")
     nodes = Nodes(tree)
     material = nodes.node("NodeGroupInput").outputs
-    light = nodes.node("ShaderNodeGroup", node_tree=light_values).outputs
+    light = nodes.node("ShaderNodeGroup", node_tree=groups["light"]).outputs
     place, positional, diffuse, specular, ambient_on, linear, quadratic = list(light)[:7]
     geometry = nodes.node("ShaderNodeNewGeometry").outputs
     point, eye = geometry["Position"], geometry["Incoming"]
@@ -216,9 +217,6 @@ def blinn_phong(kind):
     nodes.node("NodeGroupOutput", nodes.node("ShaderNodeAddShader", lit, emission).outputs[0])
     groups[kind] = tree
     return tree
-
-
-ambient_colour = (0, 0, 0)
 
 
 def ambient(colour):
@@ -301,7 +299,7 @@ def plane(name, finish, rings, visible=True):
     add_quads(name, corners, quads, finish, visible)
 
 
-def cross_unit(a, b, c):
+def face_normal(a, b, c):
     ux, uy, uz = b[0] - a[0], b[1] - a[1], b[2] - a[2]
     vx, vy, vz = c[0] - a[0], c[1] - a[1], c[2] - a[2]
     x, y, z = uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx
@@ -315,7 +313,7 @@ def mesh(name, finish, vertices, triangles, normals="", visible=True):
     co = list(map(float, vertices.split()))
     index = list(map(int, triangles.split()))
     vertex = list(zip(co[0::3], co[1::3], co[2::3]))
-    face = [cross_unit(vertex[a], vertex[b], vertex[c])
+    face = [face_normal(vertex[a], vertex[b], vertex[c])
             for a, b, c in zip(index[0::3], index[1::3], index[2::3])]
     if normals:
         normal = list(map(float, normals.split()))
@@ -380,13 +378,6 @@ def shell(name, finish, centre, radius, visible=True):
 
 def camera(eye, target, up, fov=None, height=None):
     """Perspective with the full vertical angle `fov` in radians, or orthographic with `height`."""
-    def unit(v):
-        length = math.hypot(*v)
-        return [x / length for x in v]
-
-    def cross(a, b):
-        return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-
     back = unit([a - b for a, b in zip(eye, target)])
     right = unit(cross(up, back))
     upward = cross(back, right)
@@ -400,9 +391,7 @@ def camera(eye, target, up, fov=None, height=None):
         data.ortho_scale = height
     data.clip_start, data.clip_end = 1e-3, 1e7
     thing = add_object("Camera", data, True)
-    # A child of an object at the origin takes its matrix as it is; location and angles would round it.
-    thing.parent = add_object("Camera stand", None, True)
-    thing.matrix_parent_inverse = Matrix([(right[i], upward[i], back[i], eye[i]) for i in range(3)] + [(0, 0, 0, 1)])
+    set_axes(thing, right, upward, back, eye)
     bpy.context.scene.camera = thing
 
 
@@ -420,27 +409,31 @@ def add_lamp(name, kind, energy, shadows):
     return add_object(name, data, True)
 
 
-def add_frame(label, lamp, location, place, positional, diffuse, specular, linear=0, quadratic=0):
-    frames.append((label, lamp, location, (place, positional, diffuse, specular, 0, linear, quadratic)))
+def set_axes(thing, x, y, z, origin):
+    """Gives an object its matrix to the last digit, as a child of an object at the origin; location and
+    angles would round it."""
+    thing.parent = add_object(thing.name + " stand", None, True)
+    rows = [(x[i], y[i], z[i], origin[i]) for i in range(3)]
+    thing.matrix_parent_inverse = Matrix(rows + [(0, 0, 0, 1)])
+
+
+def unit(v):
+    length = math.hypot(*v)
+    return [x / length for x in v]
+
+
+def cross(a, b):
+    return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 
 
 def directional_light(name, direction, intensity, diffuse, specular, shadows=True):
     """A SUN of angle 0: pi times its intensity, for the Diffuse BSDF divides by pi."""
     lamp = add_lamp(name, "SUN", math.pi * intensity, shadows)
-    length = math.hypot(*direction)
-    towards = [-x / length for x in direction]
-    # The lamp shines along its -z; only that axis matters.
-    side = min(range(3), key=lambda i: abs(towards[i]))
-    helper = [1.0 if i == side else 0.0 for i in range(3)]
-    x = [helper[1] * towards[2] - helper[2] * towards[1], helper[2] * towards[0] - helper[0] * towards[2],
-         helper[0] * towards[1] - helper[1] * towards[0]]
-    scale = math.hypot(*x)
-    x = [value / scale for value in x]
-    y = [towards[1] * x[2] - towards[2] * x[1], towards[2] * x[0] - towards[0] * x[2],
-         towards[0] * x[1] - towards[1] * x[0]]
-    lamp.parent = add_object(name + " stand", None, True)
-    lamp.matrix_parent_inverse = Matrix([(x[i], y[i], towards[i], 0) for i in range(3)] + [(0, 0, 0, 1)])
-    add_frame(name, lamp, None, towards, 0, diffuse, specular)
+    towards = unit([-x for x in direction])      # a lamp shines along its -z
+    smallest = min(range(3), key=lambda i: abs(towards[i]))
+    x = unit(cross([1.0 if i == smallest else 0.0 for i in range(3)], towards))
+    set_axes(lamp, x, cross(towards, x), towards, (0, 0, 0))
+    frames.append(Frame(name, lamp, None, (towards, 0, diffuse, specular, 0, 0, 0)))
 
 
 def positional_light(name, places, intensity, diffuse, specular, range=1, linear=0, quadratic=0,
@@ -470,14 +463,14 @@ def positional_light(name, places, intensity, diffuse, specular, range=1, linear
     nodes.node("ShaderNodeOutputLight", shine.outputs[0])
     for i, place in enumerate(places):
         label = name if len(places) == 1 else f"{name} {i + 1}/{len(places)}"
-        add_frame(label, lamp, place, place, 1, diffuse, specular, linear / range, quadratic / range ** 2)
+        values = (place, 1, diffuse, specular, 0, linear / range, quadratic / range ** 2)
+        frames.append(Frame(label, lamp, place, values))
 
 
 def cone(nodes, axis, cutoff, exponent):
     """1 - (alpha / cutoff)^exponent inside the cone. The angle is atan2(|i x a|, i.a): an arccosine
     would lose half the digits near the axis."""
-    length = math.hypot(*axis)
-    axis = tuple(x / length for x in axis)
+    axis = unit(axis)
     outward = nodes.node("ShaderNodeNewGeometry").outputs["Incoming"]
     sine = nodes.vector("LENGTH", nodes.vector("CROSS_PRODUCT", outward, axis))
     alpha = nodes.math("ARCTAN2", sine, nodes.vector("DOT_PRODUCT", outward, axis), label="alpha")
@@ -497,42 +490,40 @@ def keyframes(owner, path, values, index=0):
     curve = owner.animation_data.action.fcurves.new(path, index=index)
     curve.keyframe_points.add(len(values))
     curve.keyframe_points.foreach_set("co", [x for i, v in enumerate(values) for x in (i + 1, v)])
-    curve.keyframe_points.foreach_set("interpolation", [CONSTANT] * len(values))
+    curve.keyframe_points.foreach_set("interpolation", [0] * len(values))    # 0 is CONSTANT
     curve.update()
 
 
 def animate():
     """Frame 1 is ambient light alone; then one lamp a frame."""
-    dark = ("ambient", None, None, ((0, 0, 1), 0, (0, 0, 0), (0, 0, 0), 1, 0, 0))
+    dark = Frame("ambient", None, None, ((0, 0, 1), 0, (0, 0, 0), (0, 0, 0), 1, 0, 0))
     timeline = [dark] + frames
     scene = bpy.context.scene
     scene.frame_start, scene.frame_end = 1, len(timeline)
-    for i, (label, *_) in enumerate(timeline):
-        scene.timeline_markers.new(label, frame=i + 1)
-    values = [entry[3] for entry in timeline]
-    names = [node.name for node in light_values.nodes if node.type != "GROUP_OUTPUT"]
-    for k, name in enumerate(names):
-        kind = light_values.nodes[name].type
-        for c in range(1 if kind == "VALUE" else 3):
-            path = (f'nodes["{name}"].inputs[{c}].default_value' if kind == "COMBXYZ" else
-                    f'nodes["{name}"].outputs[0].default_value')
-            column = [value[k] if kind == "VALUE" else value[k][c] for value in values]
-            keyframes(light_values, path, column, c if kind == "RGB" else 0)
-    for lamp in dict.fromkeys(frame[1] for frame in frames):
-        lit = [entry[1] == lamp for entry in timeline]
-        keyframes(lamp, "hide_render", [0 if on else 1 for on in lit])
-        spots = [entry[2] if on else None for entry, on in zip(timeline, lit)]
-        stops = [spot for spot in spots if spot is not None]
-        if len(stops) > 1:
-            held = stops[0]
-            track = []
-            for spot in spots:
-                held = spot or held
-                track.append(held)
+    for i, frame in enumerate(timeline):
+        scene.timeline_markers.new(frame.label, frame=i + 1)
+    tree = groups["light"]
+    for k, node in enumerate(node for node in tree.nodes if node.type != "GROUP_OUTPUT"):
+        column = [frame.values[k] for frame in timeline]
+        if node.type == "VALUE":
+            keyframes(tree, f'nodes["{node.name}"].outputs[0].default_value', column)
+        elif node.type == "RGB":
             for c in range(3):
-                keyframes(lamp, "location", [spot[c] for spot in track], c)
-        elif stops:
-            lamp.location = stops[0]
+                keyframes(tree, f'nodes["{node.name}"].outputs[0].default_value', [v[c] for v in column], c)
+        else:
+            for c in range(3):
+                keyframes(tree, f'nodes["{node.name}"].inputs[{c}].default_value', [v[c] for v in column])
+    for lamp in dict.fromkeys(frame.lamp for frame in frames):
+        dark = [0 if frame.lamp == lamp else 1 for frame in timeline]
+        keyframes(lamp, "hide_render", dark)
+        keyframes(lamp, "hide_viewport", dark)
+        places = [frame.place for frame in frames if frame.lamp == lamp]
+        if len(places) > 1:
+            track = [frame.place if frame.lamp == lamp else places[0] for frame in timeline]
+            for c in range(3):
+                keyframes(lamp, "location", [place[c] for place in track], c)
+        elif places[0]:
+            lamp.location = places[0]
     scene.frame_set(1)
 
 
@@ -545,7 +536,7 @@ def finish(name):
     scene = bpy.context.scene
     scene.render.filepath = os.path.join(folder, name + "_####")
     if "--no-blend" not in arguments:
-        bpy.ops.wm.save_as_mainfile(filepath=os.path.join(folder, name + ".blend"))
+        bpy.ops.wm.save_as_mainfile(filepath=os.path.join(folder, name + ".blend"), compress=True)
     bpy.ops.render.render(animation=True)
 )python";
 
