@@ -1,0 +1,12 @@
+// web_assets.h: the files of reports/web/, as text inside the program (see CMakeLists.txt).
+#pragma once
+
+#include <string_view>
+
+namespace litmus {
+
+extern const std::string_view kPageTemplate;  ///< page.html, a mustache template
+extern const std::string_view kPageStyle;     ///< page.css
+extern const std::string_view kPageScript;    ///< page.js
+
+}  // namespace litmus

@@ -1,0 +1,91 @@
+// write_json.cpp: results.json, for machines.
+#include "reports/write_json.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "compare/difference.h"
+#include "compare/whole_file.h"
+
+namespace litmus {
+namespace {
+using nlohmann::ordered_json;
+
+double finite(double value, const std::string& where) {
+  if (!std::isfinite(value))
+    throw std::invalid_argument(where + " is not finite and cannot be written as JSON");
+  return value;
+}
+
+ordered_json provenance_json(const Provenance& p) {
+  ordered_json versions = ordered_json::object();
+  for (const auto& [name, version] : p.versions) versions[name] = version;
+  return {{"litmus_version", p.litmus_version},
+          {"commit", p.commit},
+          {"compiler", p.compiler},
+          {"flags", p.flags},
+          {"cpu", p.cpu},
+          {"system", p.system},
+          {"command", p.command},
+          {"started", p.started},
+          {"threads", p.threads},
+          {"seconds", finite(p.seconds, "provenance.seconds")},
+          {"versions", versions}};
+}
+
+ordered_json case_json(const Case& one) {
+  ordered_json references = ordered_json::array();
+  for (const CaseReference& r : one.references)
+    references.push_back(
+        {{"reference", r.reference},
+         {"source", r.source},
+         {"version", r.version},
+         {"command", r.command},
+         {"seconds", finite(r.seconds, one.scene + "." + r.reference + ".seconds")},
+         {"failure", r.failure}});
+  return {{"scene", one.scene},       {"file", one.file},
+          {"about", one.about},       {"tags", one.tags},
+          {"warnings", one.warnings}, {"width", one.width},
+          {"height", one.height},     {"seconds", finite(one.seconds, one.scene + ".seconds")},
+          {"references", references}};
+}
+
+ordered_json comparison_json(const Comparison& row) {
+  ordered_json json{{"scene", row.scene},   {"reference", row.reference},   {"source", row.source},
+                    {"light", row.light},   {"light_type", row.light_type}, {"region", row.region},
+                    {"pixels", row.pixels}, {"nonfinite", row.nonfinite}};
+  for (const auto& metric : kMetrics<Comparison>)
+    json[std::string(metric.name)] =
+        finite(row.*metric.member, row.scene + "." + std::string(metric.name));
+  json["max_at"] = row.max_at;
+  json["over_tolerance"] = row.over_tolerance;
+  json["explained"] = row.explained;
+  json["tolerance"] = finite(row.tolerance, row.scene + ".tolerance");
+  json["mean_tolerance"] = finite(row.mean_tolerance, row.scene + ".mean_tolerance");
+  json["verdict"] = row.verdict;
+  json["reason"] = row.reason;
+  json["causes"] = row.causes;
+  return json;
+}
+
+}  // namespace
+
+std::string results_json(const Study& study, int indent) {
+  ordered_json json{{"schema_version", kResultsSchemaVersion},
+                    {"verdict", overall_verdict(study)},
+                    {"provenance", provenance_json(study.provenance)},
+                    {"cases", ordered_json::array()},
+                    {"comparisons", ordered_json::array()}};
+  for (const Case& one : study.cases) json["cases"].push_back(case_json(one));
+  for (const Comparison& row : study.comparisons)
+    json["comparisons"].push_back(comparison_json(row));
+  // A byte that is not UTF-8 becomes U+FFFD.
+  return json.dump(indent, ' ', false, ordered_json::error_handler_t::replace);
+}
+
+void write_json(const Study& study, const std::filesystem::path& file) {
+  write_whole(file, results_json(study) + "\n");
+}
+
+}  // namespace litmus

@@ -1,0 +1,145 @@
+// write_markdown.cpp: summary.md, for a pull request or a job's page.
+#include "reports/write_markdown.h"
+
+#include <fmt/format.h>
+
+#include <map>
+
+#include "compare/whole_file.h"
+#include "reports/overview.h"
+#include "reports/plain_text.h"
+
+namespace litmus {
+namespace {
+
+constexpr std::size_t kCell = 300;    // bytes of text in one cell
+constexpr std::size_t kListed = 200;  // rows in one list
+
+// Text that Markdown and HTML leave alone, on one line.
+std::string cell(std::string_view text, std::size_t limit = kCell) {
+  std::string safe;
+  for (const char c : clipped(text, limit)) {
+    if (c == '\n' || c == '\t') {
+      safe += ' ';
+    } else if (c == '<') {
+      safe += "&lt;";
+    } else if (c == '&') {
+      safe += "&amp;";
+    } else {
+      if (std::string_view("\\`*_{}[]()#!|~@>").find(c) != std::string_view::npos) safe += '\\';
+      safe += c;
+    }
+  }
+  return safe;
+}
+
+std::string number(const Comparison* row, double Comparison::*member) {
+  return row == nullptr ? "" : short_number(row->*member);
+}
+
+std::string failures_text(const Study& study) {
+  const std::vector<const Comparison*> rows = failures_of(study);
+  if (rows.empty()) return "";
+  std::string text =
+      "## What disagrees\n\n| scene | light | reference | region | largest | allowed | pixel | why "
+      "|\n"
+      "|---|---|---|---|--:|--:|---|---|\n";
+  for (std::size_t i = 0; i < std::min(rows.size(), kListed); ++i) {
+    const Comparison& row = *rows[i];
+    text += fmt::format("| {} | {} | {} ({}) | {} | {} | {} | {}, {} | {} |\n", cell(row.scene),
+                        cell(row.light), cell(reference_title(row.reference)), cell(row.source),
+                        cell(row.region), short_number(row.max_abs), short_number(row.tolerance),
+                        row.max_at[0], row.max_at[1], cell(row.reason));
+  }
+  if (rows.size() > kListed)
+    text += fmt::format("\nand {} more in results.json\n", rows.size() - kListed);
+  return text + "\n";
+}
+
+std::string broken_text(const Study& study) {
+  std::string text;
+  std::size_t count = 0;
+  for (const Case& one : study.cases)
+    for (const CaseReference& reference : one.references)
+      if (!reference.failure.empty() && ++count <= kListed)
+        text += fmt::format("- {}, {}: {}\n", cell(one.scene),
+                            cell(reference_title(reference.reference)), cell(reference.failure));
+  if (count > kListed) text += fmt::format("- and {} more\n", count - kListed);
+  return text.empty() ? "" : "## Renderers that failed\n\n" + text + "\n";
+}
+
+std::string types_text(const Study& study) {
+  std::string text =
+      "## Worst differences\n\n| light type | reference | | largest, interior | mean, interior | "
+      "largest, edges | passed | failed | skipped |\n|---|---|---|--:|--:|--:|--:|--:|--:|\n";
+  for (const std::string& type : light_types_of(study))
+    for (const std::string& reference : references_of(study)) {
+      const Tally rows = tally(study, [&](const Comparison& row) {
+        return row.light_type == type && row.reference == reference;
+      });
+      if (rows.rows == 0) continue;
+      text += fmt::format(
+          "| {} | {} | {} | {} | {} | {} | {} | {} | {} |\n", cell(type),
+          cell(reference_title(reference)), source_of(rows),
+          number(rows.interior, &Comparison::max_abs), number(rows.mean, &Comparison::mean_abs),
+          number(rows.edge, &Comparison::max_abs), rows.passed, rows.failed, rows.skipped);
+    }
+  return text + "\n";
+}
+
+// One line per reason, because a missing renderer skips hundreds of rows.
+std::string skipped_text(const Study& study) {
+  std::map<std::string, int> reasons;
+  for (const Comparison& row : study.comparisons)
+    if (row.verdict == "skipped") ++reasons[reference_title(row.reference) + ": " + row.reason];
+  if (reasons.empty()) return "";
+  std::string text = "## Skipped\n\n";
+  std::size_t listed = 0;
+  for (const auto& [reason, count] : reasons)
+    if (++listed <= kListed)
+      text += fmt::format("- {}: {}\n", counted(count, "row", "rows"), cell(reason));
+  if (listed > kListed) text += fmt::format("- and {} more reasons\n", listed - kListed);
+  return text + "\n";
+}
+
+std::string provenance_text(const Provenance& p) {
+  std::string text = "## Provenance\n\n";
+  const auto line = [&](std::string_view name, const std::string& value) {
+    if (!value.empty()) text += fmt::format("- {}: {}\n", cell(name), cell(value, 2000));
+  };
+  line("litmus", p.litmus_version + (p.commit.empty() ? "" : " (" + p.commit + ")"));
+  line("command", p.command);
+  line("started", p.started);
+  line("took", short_seconds(p.seconds));
+  line("system", p.system);
+  line("processor",
+       p.cpu.empty() ? "" : fmt::format("{}, {}", p.cpu, counted(p.threads, "thread", "threads")));
+  line("compiler", p.compiler + (p.flags.empty() ? "" : " " + p.flags));
+  for (std::size_t i = 0; i < std::min(p.versions.size(), kListed); ++i)
+    line(p.versions[i][0], p.versions[i][1]);
+  return text;
+}
+
+}  // namespace
+
+std::string markdown(const Study& study) {
+  const Tally all = tally(study, [](const Comparison&) { return true; });
+  const std::string sources = source_of(all).empty() ? "none" : source_of(all);
+  std::string text = fmt::format(
+      "# litmus: {}\n\n{}: {} over {}; {} passed, {} failed, {} skipped. References: {}.\n\n",
+      overall_verdict(study), headline(study), counted(all.rows, "comparison", "comparisons"),
+      counted((long long)(study.cases.size()), "scene", "scenes"), all.passed, all.failed,
+      all.skipped, sources);
+  text += failures_text(study) + broken_text(study) + types_text(study) + skipped_text(study) +
+          provenance_text(study.provenance);
+  if (text.size() <= kMarkdownLimit) return text;
+  constexpr std::string_view kCut = "\n\nThe rest is in results.json.\n";
+  text.resize(text.rfind('\n', kMarkdownLimit - kCut.size()));
+  return text.append(kCut);
+}
+
+void write_markdown(const Study& study, const std::filesystem::path& file) {
+  write_whole(file, markdown(study));
+}
+
+}  // namespace litmus
