@@ -28,7 +28,7 @@ constexpr int kSchema = 1;
 constexpr std::string_view kTemporary = ".tmp-";
 constexpr std::string_view kDamaged = ".damaged-";
 
-/// An open folder: a name for its files that stays right when the folder is renamed.
+/// An open folder, which stays the same one whatever is renamed.
 struct Folder {
   int descriptor = -1;
   explicit Folder(const fs::path& path)
@@ -39,9 +39,6 @@ struct Folder {
     if (descriptor >= 0) ::close(descriptor);
   }
   explicit operator bool() const { return descriptor >= 0; }
-  fs::path file(std::string_view name) const {
-    return fmt::format("/proc/self/fd/{}/{}", descriptor, name);
-  }
   /// Whether `path` still leads to this folder.
   bool is_at(const fs::path& path) const {
     struct stat here {
@@ -84,14 +81,14 @@ Json description(const StoreKey& key, const StoreEntry& entry, const fs::path& i
 }
 
 /// Reads a whole entry. Throws, saying what is wrong, unless everything in it is right.
-StoreEntry read_entry(const Folder& folder, const StoreKey& key) {
-  std::ifstream text(folder.file("meta.json"));
+StoreEntry read_entry(const fs::path& place, const StoreKey& key) {
+  std::ifstream text(place / "meta.json");
   if (!text) throw Refusal("meta.json is missing");
   const auto meta = Json::parse(text);
   if (meta.at("schema") != kSchema) throw Refusal("another schema");
   if (meta.at("key") != to_json(key)) throw Refusal("it was made for another key");
 
-  const auto image = folder.file("image.exr");
+  const auto image = place / "image.exr";
   if (meta.at("checksum") != hash_file(image)) throw Refusal("the checksum of image.exr differs");
   auto layers = read_layers(image);
   if (layers.size() != 1 || layers[0].light != key.light)
@@ -207,9 +204,9 @@ std::optional<StoreEntry> find(const Store& store, const StoreKey& key) {
     const Folder folder(place);
     if (!folder) return std::nullopt;
     try {
-      return read_entry(folder, key);
+      return read_entry(place, key);
     } catch (const std::exception& wrong) {
-      if (!folder.is_at(place)) continue;  // replaced while it was read: read the new one
+      if (!folder.is_at(place)) continue;  // replaced while it was read
       set_aside(store, place, wrong.what());
       return std::nullopt;
     }
