@@ -10,10 +10,10 @@
 
 namespace litmus {
 
-/// How far a single-precision renderer may misplace a boundary, in pixels: its coordinates have 24
-/// bits, and a ray starts ten scene units away, which at some hundred pixels a side comes to this
-/// order at grazing incidence.
-inline constexpr double kBoundaryPixels = 2e-3;
+/// How far a single-precision renderer may misplace a boundary, in pixels. Its coordinates have 24
+/// bits: at ten scene units that is 6e-7 units, some 1e-5 pixels of a picture a few units wide, and
+/// a boundary met at a grazing angle of half a degree multiplies it by a hundred.
+inline constexpr double kBoundaryPixels = 1e-3;
 
 /// How far from the centre of pixel (x, y) our own picture shows `theirs` in layer `layer` (an
 /// index into the layers, or their number for the sum), up to kBoundaryPixels; `slack` is the

@@ -1,0 +1,210 @@
+// cli_test.cpp: the program as a person uses it: exit codes, messages, files.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "compare/image_io.h"
+
+namespace litmus {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Ended {
+  int code = -1;
+  std::string text;  ///< standard output and error
+};
+
+class Program : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::string name = fs::temp_directory_path() / "litmus-test-XXXXXX";
+    ASSERT_NE(mkdtemp(name.data()), nullptr);
+    folder = name;
+  }
+  void TearDown() override { fs::remove_all(folder); }
+
+  /// Runs litmus in the test's folder, with a store of its own.
+  Ended litmus(const std::string& arguments, const std::string& environment = "") const {
+    const std::string line = "cd '" + folder.string() + "' && env XDG_CACHE_HOME='" +
+                             folder.string() + "/cache' " + environment + " " LITMUS_PROGRAM " " +
+                             arguments + " 2>&1";
+    FILE* pipe = popen(line.c_str(), "r");
+    Ended ended;
+    std::array<char, 4096> buffer;
+    while (const std::size_t n = fread(buffer.data(), 1, buffer.size(), pipe))
+      ended.text.append(buffer.data(), n);
+    const int status = pclose(pipe);
+    ended.code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    return ended;
+  }
+
+  nlohmann::json results(const std::string& out) const {
+    std::ifstream file(folder / out / "results.json");
+    return nlohmann::json::parse(file);
+  }
+
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder / name) << text;
+  }
+
+  fs::path folder;
+  const std::string no_renderers = "PATH=/nonexistent";
+};
+
+TEST_F(Program, ExplainsEachCommandWithAnExample) {
+  for (const char* command :
+       {"run", "render", "export", "reference", "compare", "list", "doctor"}) {
+    const Ended help = litmus(std::string(command) + " --help");
+    EXPECT_EQ(help.code, 0) << command;
+    EXPECT_NE(help.text.find(command == std::string("doctor") ? "Exit code" : "Example: litmus"),
+              std::string::npos)
+        << command;
+  }
+}
+
+TEST_F(Program, RefusesUnknownWordsWithTwo) {
+  EXPECT_EQ(litmus("").code, 2);
+  EXPECT_EQ(litmus("fly").code, 2);
+  EXPECT_EQ(litmus("run --references sometimes").code, 2);
+  EXPECT_EQ(litmus("run no-such-scene").code, 2);
+  EXPECT_EQ(litmus("run d1 --references stored --control no-such-control").code, 2);
+}
+
+TEST_F(Program, ListsTheCanonicalScenesForMachines) {
+  const auto list = nlohmann::json::parse(litmus("list --json").text);
+  ASSERT_GE(list.size(), 25u);
+  for (const auto& scene : list) {
+    for (const char* key : {"name", "about", "light_types", "tags"})
+      EXPECT_TRUE(scene.contains(key)) << scene;
+  }
+}
+
+TEST_F(Program, NamesThePlaceAndTheFieldOfAMistakeInAScene) {
+  write("bad.toml",
+        "schema = 1\nabout = \"x\"\n[camera]\nprojection = \"orthographic\"\neye = [0, 0, "
+        "1]\ntarget = [0, 0, 0]\n"
+        "up = [0, 1, 0]\nheight = 2\n[[light]]\ntype = \"spot\"\norigin = [0, 0, 1]\ndirection = "
+        "[0, 0, -1]\n"
+        "cutoff_degrees = 200\nexponent = 1\n");
+  for (const char* command :
+       {"run bad.toml", "render bad.toml -o x.exr", "export bad.toml --to povray"}) {
+    const Ended ended = litmus(command);
+    EXPECT_EQ(ended.code, 2) << command;
+    EXPECT_NE(ended.text.find("bad.toml:13:"), std::string::npos) << ended.text;
+    EXPECT_NE(ended.text.find("cutoff_degrees"), std::string::npos) << ended.text;
+  }
+  EXPECT_FALSE(fs::exists(folder / "x.exr"));
+  EXPECT_FALSE(fs::exists(folder / "litmus-report"));
+}
+
+TEST_F(Program, RendersTheSamePictureAtEveryNumberOfThreads) {
+  ASSERT_EQ(litmus("render x5 -o one.exr --threads 1").code, 0);
+  ASSERT_EQ(litmus("render x5 -o two.exr --threads 2").code, 0);
+  EXPECT_EQ(litmus("compare one.exr two.exr --tolerance 0").code, 0);
+}
+
+TEST_F(Program, RendersInEveryPrecision) {
+  for (const char* precision : {"float", "double", "long-double", "quad"}) {
+    ASSERT_EQ(litmus(std::string("render d2 -o x.exr --precision ") + precision).code, 0);
+    EXPECT_NEAR(read_picture(folder / "x.exr").at(48, 48).x,
+                read_picture(folder / "x.exr").at(48, 48).y, 1e-6);
+  }
+}
+
+TEST_F(Program, RefusesAnOutputItCannotWriteAndLeavesNothing) {
+  EXPECT_EQ(litmus("render d1 -o picture.gif").code, 2);
+  EXPECT_EQ(litmus("render d1 -o picture.exr --light no-such-light").code, 2);
+  EXPECT_EQ(litmus("render d1 -o no/such/folder/picture.exr").code, 2);
+  EXPECT_FALSE(fs::exists(folder / "picture.gif"));
+  EXPECT_FALSE(fs::exists(folder / "picture.exr"));
+}
+
+TEST_F(Program, ExportsForBothRenderersExactlyAndNatively) {
+  for (const char* target : {"povray", "blender"}) {
+    for (const char* native : {"", " --native"}) {
+      EXPECT_EQ(litmus(std::string("export x5 -o out --to ") + target + native).code, 0);
+    }
+  }
+  for (const char* file : {"x5-all-lights.pov", "x5-all-lights.py", "x5-all-lights-native.pov",
+                           "x5-all-lights-native.py"}) {
+    EXPECT_GT(fs::file_size(folder / "out" / file), 1000u) << file;
+  }
+}
+
+TEST_F(Program, ComparesTwoImagesWithoutAScene) {
+  ASSERT_EQ(litmus("render d1 -o a.exr").code, 0);
+  ASSERT_EQ(litmus("render d2 -o b.exr").code, 0);
+  ASSERT_EQ(litmus("render d5 -o c.exr").code, 0);
+  EXPECT_EQ(litmus("compare a.exr a.exr").code, 0);
+  EXPECT_EQ(litmus("compare a.exr c.exr").code, 1);
+  EXPECT_EQ(litmus("compare a.exr b.exr").code, 2);  // another size
+  EXPECT_EQ(litmus("compare a.exr missing.exr").code, 2);
+}
+
+TEST_F(Program, FailsTheComparisonOfASingleNaN) {
+  Picture picture(4, 4);
+  write_picture(folder / "good.exr", picture);
+  picture.at(1, 2).y = std::numeric_limits<double>::quiet_NaN();
+  write_picture(folder / "bad.exr", picture);
+  EXPECT_EQ(litmus("compare good.exr bad.exr --tolerance 1").code, 1);
+  EXPECT_EQ(litmus("compare bad.exr bad.exr --tolerance 1").code, 1);
+}
+
+TEST_F(Program, WritesEveryReportOfAStoredRun) {
+  const Ended ended = litmus("run d2 s5 --references stored --out report -q");
+  EXPECT_EQ(ended.code, 0) << ended.text;
+  for (const char* file : {"report.html", "results.json", "summary.md", "junit.xml"}) {
+    EXPECT_GT(fs::file_size(folder / "report" / file), 200u) << file;
+  }
+  for (const auto& row : results("report")["comparisons"]) EXPECT_EQ(row["source"], "stored");
+}
+
+TEST_F(Program, FailsARunWithAKnownMistake) {
+  EXPECT_EQ(litmus("run s1 --references stored --control cutoff -q").code, 1);
+  EXPECT_EQ(litmus("run d1 --references stored --control cutoff -q").code, 0);  // no spot in it
+}
+
+TEST_F(Program, WorksWithoutAnyRenderer) {
+  const Ended ended = litmus("run d2 --out report -q", no_renderers);
+  EXPECT_EQ(ended.code, 0) << ended.text;
+  for (const auto& row : results("report")["comparisons"]) EXPECT_EQ(row["source"], "stored");
+}
+
+TEST_F(Program, SaysThatALiveRunNeedsTheRenderer) {
+  const Ended ended = litmus("run d2 --references live --out report -q", no_renderers);
+  EXPECT_EQ(ended.code, 4);
+  EXPECT_NE(ended.text.find("apt-get install"), std::string::npos) << ended.text;
+  EXPECT_EQ(litmus("run d2 --require povray -q", no_renderers).code, 4);
+}
+
+TEST_F(Program, CallsARunWithNothingToCompareWithIncomplete) {
+  write("own.toml",
+        "schema = 1\nabout = \"x\"\n[camera]\nprojection = \"orthographic\"\neye = [0, 0, "
+        "1]\ntarget = [0, 0, 0]\n"
+        "up = [0, 1, 0]\nheight = 2\n[image]\nwidth = 8\nheight = 8\n[[material]]\nname = "
+        "\"m\"\n[[object]]\n"
+        "shape = \"plane\"\npoint = [0, 0, 0]\nnormal = [0, 0, 1]\nmaterial = \"m\"\n[[light]]\n"
+        "type = \"directional\"\ndirection = [0, 0, -1]\n");
+  const Ended ended = litmus("run own.toml --out report -q", no_renderers);
+  EXPECT_EQ(ended.code, 3) << ended.text;
+  for (const auto& row : results("report")["comparisons"]) EXPECT_EQ(row["verdict"], "skipped");
+}
+
+TEST_F(Program, SaysWhatIsMissing) {
+  const Ended ended = litmus("doctor", no_renderers);
+  EXPECT_EQ(ended.code, 3);
+  EXPECT_NE(ended.text.find("apt-get install povray"), std::string::npos) << ended.text;
+  EXPECT_NE(ended.text.find("apt-get install blender"), std::string::npos) << ended.text;
+}
+
+}  // namespace
+}  // namespace litmus

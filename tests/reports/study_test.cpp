@@ -1,0 +1,198 @@
+// study_test.cpp: the agreement itself, on the stored references, and every negative control.
+#include "reports/study.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "compare/difference.h"
+#include "compare/regions.h"
+#include "compare/verdict.h"
+#include "reports/controls.h"
+#include "scene/load.h"
+#include "scene/refusal.h"
+#include "tracer/render.h"
+
+namespace litmus {
+namespace {
+
+const std::vector<Scene>& canonical() {
+  static const std::vector<Scene> scenes = [] {
+    std::vector<Scene> all;
+    for (const auto& file : canonical_scenes()) all.push_back(load_scene(file));
+    return all;
+  }();
+  return scenes;
+}
+
+Study study_of(const std::string& control) {
+  StudyOptions options;
+  options.obtain.sources = Sources::Stored;
+  options.control = control;
+  return run_study(canonical(), options);
+}
+
+/// A row's name without the region: scene, reference, light.
+using Name = std::array<std::string, 3>;
+
+std::set<Name> failing(const Study& study) {
+  std::set<Name> names;
+  for (const Comparison& row : study.comparisons) {
+    if (row.verdict == "fail") names.insert({row.scene, row.reference, row.light});
+  }
+  return names;
+}
+
+TEST(Agreement, HoldsForEveryLightOfEverySceneAndBothReferences) {
+  const Study study = study_of("");
+  for (const Comparison& row : study.comparisons) {
+    EXPECT_EQ(row.verdict, "pass") << row.scene << ", " << row.reference << ", " << row.light
+                                   << ", " << row.region << ": " << row.reason;
+    EXPECT_EQ(row.source, "stored");
+    EXPECT_EQ(row.nonfinite, 0);
+  }
+  EXPECT_EQ(overall_verdict(study), "pass");
+}
+
+TEST(Agreement, CoversEverySceneLightTypeReferenceAndRegion) {
+  const Study study = study_of("");
+  std::set<std::string> types, scenes;
+  for (const Comparison& row : study.comparisons) {
+    types.insert(row.light_type + " " + row.reference + " " + row.region);
+    scenes.insert(row.scene + " " + row.reference);
+  }
+  EXPECT_EQ(types.size(), 6u * 2 * 3);
+  EXPECT_EQ(scenes.size(), canonical().size() * 2);
+}
+
+TEST(Agreement, OfTheReferencesLayersAddsUpToTheirWhole) {
+  for (const Case& entry : study_of("").cases) {
+    for (std::size_t r = 0; r < entry.references.size(); ++r) {
+      Picture total(entry.width, entry.height);
+      for (std::size_t k = 0; k + 1 < entry.layers.size(); ++k) {
+        const Picture& part = entry.layers[k].theirs[r].picture;
+        for (std::size_t i = 0; i < total.pixels.size(); ++i) total.pixels[i] += part.pixels[i];
+      }
+      const Difference d =
+          difference(total, entry.layers.back().theirs[r].picture, {}, Region::All, 0);
+      EXPECT_LE(d.max_abs, 1e-13) << entry.scene;
+    }
+  }
+}
+
+TEST(Agreement, OfOurLayersAddsUpToOurWhole) {
+  for (const Scene& scene : canonical()) {
+    const Rendering rendering = render(scene);
+    const Difference d = difference(sum(rendering.layers), rendering.whole, {}, Region::All, 0);
+    EXPECT_LE(d.max_abs, 1e-13) << scene.name;
+  }
+}
+
+/// What a control changes in our own pictures, which decides the rows that must fail. Rows that
+/// change by about a tolerance may do either.
+struct Touched {
+  std::set<Name> surely, perhaps;
+};
+
+Touched touched_by(const Control& control) {
+  Touched touched;
+  for (const Scene& scene : canonical()) {
+    Scene mistaken = scene;
+    RenderOptions options;
+    control.apply(mistaken, options);
+    Rendering right = render(scene), wrong = render(mistaken, options);
+    right.layers.push_back({"all", "all", right.whole});
+    wrong.layers.push_back({"all", "all", wrong.whole});
+    for (std::size_t k = 0; k < right.layers.size(); ++k) {
+      const double change =
+          difference(wrong.layers[k].picture, right.layers[k].picture, {}, Region::All, 0).max_abs;
+      for (const char* reference : {"povray", "blender"}) {
+        const Name name{scene.name, reference, right.layers[k].light};
+        if (change > 0) touched.perhaps.insert(name);
+        if (change > 3e-3) touched.surely.insert(name);
+      }
+    }
+  }
+  return touched;
+}
+
+class NegativeControl : public testing::TestWithParam<Control> {};
+
+TEST_P(NegativeControl, FailsOnTheRowsThatItTouchesAndOnNoOther) {
+  const Study study = study_of(std::string(GetParam().name));
+  const std::set<Name> failed = failing(study);
+  const Touched touched = touched_by(GetParam());
+  EXPECT_EQ(overall_verdict(study), "fail");
+  ASSERT_FALSE(touched.surely.empty());
+  for (const Name& name : touched.surely) {
+    EXPECT_TRUE(failed.contains(name))
+        << name[0] << ", " << name[1] << ", " << name[2] << " passes";
+  }
+  for (const Name& name : failed) {
+    EXPECT_TRUE(touched.perhaps.contains(name))
+        << name[0] << ", " << name[1] << ", " << name[2] << " fails";
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Study, NegativeControl,
+                         testing::ValuesIn(controls().begin(), controls().end()),
+                         [](const auto& info) {
+                           std::string name(info.param.name);
+                           std::erase(name, '-');
+                           return name;
+                         });
+
+std::set<std::string> failing_types(const std::string& control) {
+  std::set<std::string> types;
+  for (const Comparison& row : study_of(control).comparisons) {
+    if (row.verdict == "fail") types.insert(row.light_type);
+  }
+  types.erase("all");
+  return types;
+}
+
+TEST(NegativeControl, OfTheCutoffFailsSpotsOnly) {
+  EXPECT_EQ(failing_types("cutoff"), std::set<std::string>{"spot"});
+}
+
+TEST(NegativeControl, OfThePlacementFailsAreasOnly) {
+  EXPECT_EQ(failing_types("placement"), std::set<std::string>{"area"});
+}
+
+TEST(NegativeControl, OfTheLightsPlaceSparesTheSunAndTheAmbientLight) {
+  EXPECT_EQ(failing_types("light-moved"), (std::set<std::string>{"point", "spot", "area"}));
+}
+
+TEST(NegativeControl, OfTheIntensitySparesTheAmbientLightOnly) {
+  EXPECT_EQ(failing_types("intensity"),
+            (std::set<std::string>{"directional", "point", "spot", "area"}));
+}
+
+TEST(Study, RefusesAControlOrReferenceThatDoesNotExist) {
+  StudyOptions options;
+  options.control = "cut-off";
+  EXPECT_THROW(run_study(canonical(), options), Refusal);
+  options.control.clear();
+  options.references = {"mitsuba"};
+  EXPECT_THROW(run_study(canonical(), options), Refusal);
+}
+
+TEST(OverallVerdict, IsBrokenByARendererThatFailed) {
+  Study study;
+  study.comparisons.push_back({});
+  study.comparisons.back().verdict = "pass";
+  EXPECT_EQ(overall_verdict(study), "pass");
+  study.cases.push_back({});
+  study.cases[0].references.push_back({});
+  study.cases[0].references[0].failure = "povray exited with 1";
+  EXPECT_EQ(overall_verdict(study), "broken");
+}
+
+TEST(OverallVerdict, OfNothingComparedIsIncomplete) {
+  EXPECT_EQ(overall_verdict({}), "incomplete");
+}
+
+}  // namespace
+}  // namespace litmus
