@@ -14,7 +14,6 @@ namespace litmus {
 namespace {
 using kainjow::mustache::data;
 
-constexpr int kThumbnailSide = 72;
 constexpr std::size_t kLogBytes = 20'000;  // of a failed renderer's log
 
 std::string mark_of(const std::string& verdict) {
@@ -35,11 +34,13 @@ bool same_size(const Picture& a, const Picture& b) {
   return a.width == b.width && a.height == b.height && a.width > 0;
 }
 
-// The figure that a chip shows: of a failure the figure that failed, else the worst inside.
+// The figure that a chip shows: of a failure the figure that failed, else the worst interior one.
 std::string chip_value(const Tally& rows) {
   if (rows.nonfinite > 0) return "NaN";
-  if (rows.failure != nullptr)
-    return rows.failure->pixels == 0 ? "no picture" : short_number(rows.failure->max_abs);
+  if (rows.failure != nullptr && rows.failure->pixels == 0) return "no picture";
+  if (rows.failure != nullptr && rows.failure->max_abs <= rows.failure->tolerance)
+    return "mean " + short_number(rows.failure->mean_abs);
+  if (rows.failure != nullptr) return short_number(rows.failure->max_abs);
   if (rows.interior == nullptr) return rows.skipped > 0 ? "skipped" : "";
   return short_number(rows.interior->max_abs);
 }
@@ -90,12 +91,11 @@ data row_data(const Comparison& row) {
   result.set("at", fmt::format("{}, {}", row.max_at[0], row.max_at[1]));
   result.set("over_tolerance", std::to_string(row.over_tolerance));
   result.set("allowed", short_number(row.tolerance));
-  result.set("nonfinite", row.nonfinite > 0 ? data(std::to_string(row.nonfinite)) : flag(false));
   result.set("verdict", text_data(row.verdict));
   result.set("mark", mark_of(row.verdict));
   result.set("reason", text_data(row.reason));
   result.set("has_reason", flag(!row.reason.empty()));
-  result.set("show_reason", flag(!row.reason.empty() && row.pixels > 0));
+  result.set("show_reason", flag(!row.reason.empty() && row.pixels > 0 && row.region != "all"));
   result.set("has_figures", flag(row.verdict != "skipped" && row.pixels > 0));
   data causes{data::type::list};
   for (const std::string& cause : row.causes) causes.push_back(text_data(cause));
@@ -228,7 +228,7 @@ data chip(const Tally& rows, const std::string& reference) {
   return result;
 }
 
-data case_data(const Study& study, const Case& one) {
+data case_data(const Study& study, const Case& one, bool open) {
   const auto is_here = [&](const Comparison& row) { return row.scene == one.scene; };
   data chips{data::type::list}, layers{data::type::list}, warnings{data::type::list};
   for (const std::string& reference : references_of(study)) {
@@ -253,10 +253,7 @@ data case_data(const Study& study, const Case& one) {
   result.set("size", fmt::format("{} \u00d7 {}", one.width, one.height));
   result.set("seconds", short_seconds(one.seconds));
   result.set("verdict", verdict);
-  result.set("open", flag(verdict == "fail"));
-  result.set("thumbnail",
-             one.layers.empty() ? "" : thumbnail_uri(one.layers.back().ours, kThumbnailSide));
-  result.set("has_thumbnail", flag(!one.layers.empty()));
+  result.set("open", flag(open));
   result.set("chips", chips);
   result.set("layers", layers);
   result.set("warnings", warnings);

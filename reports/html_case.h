@@ -27,7 +27,7 @@ std::string layer_anchor(const Study& study, const Case& one, const std::string&
 /// allowed, source, and a sentence for the tooltip.
 kainjow::mustache::data chip(const Tally& rows, const std::string& reference);
 
-/// Everything that the page shows of one scene.
-kainjow::mustache::data case_data(const Study& study, const Case& one);
+/// Everything that the page shows of one scene, folded open or not.
+kainjow::mustache::data case_data(const Study& study, const Case& one, bool open);
 
 }  // namespace litmus

@@ -13,14 +13,6 @@
 namespace litmus {
 namespace {
 
-// How far a row is over what it may be; a NaN or a missing picture is further than any figure.
-double excess(const Comparison& row) {
-  if (row.nonfinite > 0 || (row.verdict == "fail" && row.pixels == 0))
-    return std::numeric_limits<double>::infinity();
-  const auto ratio = [](double value, double limit) { return limit > 0 ? value / limit : value; };
-  return std::max(ratio(row.max_abs, row.tolerance), ratio(row.mean_abs, row.mean_tolerance));
-}
-
 void keep_largest(const Comparison*& kept, const Comparison& row, double Comparison::*member) {
   if (kept == nullptr || row.*member > kept->*member) kept = &row;
 }
@@ -47,6 +39,13 @@ void add_once(std::vector<std::string>& values, const std::string& value) {
 }
 
 }  // namespace
+
+double excess(const Comparison& row) {
+  if (row.nonfinite > 0 || (row.verdict == "fail" && row.pixels == 0))
+    return std::numeric_limits<double>::infinity();
+  const auto ratio = [](double value, double limit) { return limit > 0 ? value / limit : value; };
+  return std::max(ratio(row.max_abs, row.tolerance), ratio(row.mean_abs, row.mean_tolerance));
+}
 
 Tally tally(const Study& study, const std::function<bool(const Comparison&)>& wanted) {
   Tally result;
@@ -108,16 +107,20 @@ std::vector<const Comparison*> failures_of(const Study& study) {
 }
 
 std::vector<const Case*> cases_by_verdict(const Study& study) {
-  std::vector<std::pair<int, const Case*>> ranked;
+  std::vector<std::pair<double, const Case*>> ranked;  // larger comes first
   for (const Case& one : study.cases) {
     const Tally rows = tally(study, [&](const Comparison& row) { return row.scene == one.scene; });
     const bool broken =
         std::any_of(one.references.begin(), one.references.end(),
                     [](const auto& reference) { return !reference.failure.empty(); });
-    ranked.emplace_back(rows.failed > 0 || broken ? 0 : rows.skipped > 0 ? 1 : 2, &one);
+    const double rank = rows.failure != nullptr ? 2 + excess(*rows.failure)
+                        : broken                ? std::numeric_limits<double>::infinity()
+                        : rows.skipped > 0      ? 1
+                                                : 0;
+    ranked.emplace_back(rank, &one);
   }
   std::stable_sort(ranked.begin(), ranked.end(),
-                   [](const auto& a, const auto& b) { return a.first < b.first; });
+                   [](const auto& a, const auto& b) { return a.first > b.first; });
   std::vector<const Case*> cases;
   for (const auto& [rank, one] : ranked) cases.push_back(one);
   return cases;

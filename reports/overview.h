@@ -29,6 +29,10 @@ std::string verdict_of(const Tally& tally);
 /// "live", "stored", "live and stored", or "" where nothing was compared.
 std::string source_of(const Tally& tally);
 
+/// How far a row is over what it may be: the larger of max_abs / tolerance and mean_abs /
+/// mean_tolerance. Infinite where a pixel is not finite or a picture is missing.
+double excess(const Comparison& row);
+
 /// In order of first appearance.
 std::vector<std::string> references_of(const Study& study);
 
@@ -43,7 +47,8 @@ const Comparison* find_row(const Study& study, const std::string& scene, const s
 /// because they repeat what a light's own row says.
 std::vector<const Comparison*> failures_of(const Study& study);
 
-/// The scenes with a failed row, then those with a skipped row, then the rest; each in study order.
+/// The scenes with a failed row, the furthest over its tolerance first; then those with a skipped
+/// row, then the rest, in study order.
 std::vector<const Case*> cases_by_verdict(const Study& study);
 
 /// "POV-Ray" for "povray"; the name itself if no driver has it.

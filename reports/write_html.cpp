@@ -65,29 +65,47 @@ data reference_tile(const Study& study, const std::string& reference) {
   tile.set("allowed", short_number(worst.tolerance));
   tile.set("scene", text_data(worst.scene));
   tile.set("anchor", row_anchor(study, worst));
+  tile.set("largest_fails", flag(worst.max_abs > worst.tolerance));
   tile.set("mean", short_number(rows.mean->mean_abs));
+  tile.set("mean_allowed", short_number(rows.mean->mean_tolerance));
+  tile.set("mean_fails", flag(rows.mean->mean_abs > rows.mean->mean_tolerance));
+  tile.set("edge_allowed", rows.edge == nullptr ? "0" : short_number(rows.edge->tolerance));
   tile.set("edge", rows.edge == nullptr ? "0" : short_number(rows.edge->max_abs));
+  tile.set("edge_fails", flag(rows.edge != nullptr && rows.edge->verdict == "fail"));
   return tile;
 }
 
 data seconds_list(const Study& study) {
   data list{data::type::list};
-  const auto add = [&](const std::string& title, double seconds, const std::string& source) {
+  const auto add = [&](const std::string& title, double seconds) {
     data one;
     one.set("title", text_data(title));
     one.set("seconds", short_seconds(seconds));
-    one.set("source", source);
     list.push_back(one);
   };
   double ours = 0;
   for (const Case& one : study.cases) ours += one.seconds;
-  add("litmus", ours, "");
+  add("litmus", ours);
   for (const std::string& reference : references_of(study)) {
     double seconds = 0;
     for (const Case& one : study.cases)
       for (const CaseReference& r : one.references)
         if (r.reference == reference) seconds += r.seconds;
-    if (seconds > 0) add(reference_title(reference), seconds, "");
+    if (seconds > 0) add(reference_title(reference), seconds);
+  }
+  return list;
+}
+
+// The small pictures stand in the style, once each, because the page shows them in three places.
+data thumbnails_data(const Study& study) {
+  constexpr int kSide = 96;  // shown at 56 and less: sharp on dense screens
+  data list{data::type::list};
+  for (const Case& one : study.cases) {
+    if (one.layers.empty()) continue;
+    data thumbnail;
+    thumbnail.set("anchor", case_anchor(study, one));
+    thumbnail.set("uri", thumbnail_uri(one.layers.back().ours, kSide));
+    list.push_back(std::move(thumbnail));
   }
   return list;
 }
@@ -265,12 +283,16 @@ data page_data(const Study& study) {
   data tiles{data::type::list}, cases{data::type::list};
   for (const std::string& reference : references_of(study))
     tiles.push_back(reference_tile(study, reference));
+  constexpr int kOpened = 3;  // failing scenes that are folded open from the start
+  int opened = 0;
   for (const Case* one : cases_by_verdict(study)) {
-    data shown = case_data(study, *one);
+    const Tally rows = tally(study, [&](const Comparison& row) { return row.scene == one->scene; });
+    data shown = case_data(study, *one, rows.failed > 0 && opened++ < kOpened);
     shown.set("row", matrix_row(study, *one));
     cases.push_back(std::move(shown));
   }
   page.set("tiles", tiles);
+  page.set("thumbnails", thumbnails_data(study));
   page.set("seconds_list", seconds_list(study));
   set_list(page, "failures", failures_data(study));
   set_list(page, "broken", broken_data(study));
