@@ -1,48 +1,49 @@
 // doctor.cpp: litmus doctor, what is installed and what each missing thing costs.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "cli/commands.h"
 #include "compare/image_io.h"
 #include "reference/drivers.h"
 #include "reference/store.h"
 #include "reference/stored_images.h"
+#include "reports/provenance.h"
 #include "scene/load.h"
 
 namespace litmus {
 namespace {
 
-int stored_count(const Driver& driver) {
-  int count = 0;
-  for (const auto& file : canonical_scenes())
-    count += load_stored(load_scene(file), driver.name).images.has_value();
-  return count;
+void print_row(std::string_view name, std::string_view text) {
+  fmt::print("{:<15} {}\n", name, text);
+}
+
+std::string missing_text(const Driver& driver) {
+  return fmt::format(
+      "not installed: only canonical scenes can be compared, with stored images, and no scene of "
+      "your own; remedy: apt-get install {}",
+      driver.package);
 }
 
 int run() {
-  const std::size_t scenes = canonical_scenes().size();
+  std::vector<Scene> scenes;
+  for (const auto& file : canonical_scenes()) scenes.push_back(load_scene(file));
+  const Provenance provenance = provenance_of({});
+  print_row("litmus", fmt::format("{} ({})", provenance.litmus_version, provenance.commit));
+  print_row("OpenImageIO", image_library_version());
+  print_row("scenes", fmt::format("{} canonical, in {}", scenes.size(), data_directory().string()));
+  print_row("store", default_store_directory().string());
   int exit_code = kPass;
-  fmt::print("litmus        {} ({})\n", LITMUS_VERSION, LITMUS_COMMIT);
-  fmt::print("OpenImageIO   {}\n", image_library_version());
-  fmt::print(
-      "scenes        {} in {}\n", scenes,
-      (canonical_scenes().empty() ? data_directory() : canonical_scenes().front().parent_path())
-          .string());
-  fmt::print("store         {}\n", default_store_directory().string());
   for (const Driver& driver : drivers()) {
     const auto installation = driver.find();
-    const int stored = stored_count(driver);
-    if (installation) {
-      fmt::print("{:<13} {} at {}\n", driver.title, installation->version,
-                 installation->program.string());
-    } else {
-      fmt::print(
-          "{:<13} not installed: only the {} scenes with stored images can be compared, and no "
-          "scene of "
-          "your own; remedy: apt-get install {}\n",
-          driver.title, stored, driver.package);
-      exit_code = kIncomplete;
-    }
-    fmt::print("{:<13} stored images for {} of {} scenes\n", "", stored, scenes);
+    if (!installation) exit_code = kIncomplete;
+    print_row(driver.title, installation ? fmt::format("{} at {}", installation->version,
+                                                       installation->program.string())
+                                         : missing_text(driver));
+    const auto stored = std::count_if(scenes.begin(), scenes.end(), [&](const Scene& scene) {
+      return load_stored(scene, driver.name).images.has_value();
+    });
+    print_row("", fmt::format("stored images for {} of {} scenes", stored, scenes.size()));
   }
   return exit_code;
 }

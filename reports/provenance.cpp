@@ -7,6 +7,7 @@
 #include <fstream>
 #include <thread>
 
+#include "commit.h"
 #include "compare/image_io.h"
 
 namespace litmus {
