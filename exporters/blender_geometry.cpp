@@ -6,7 +6,6 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
-#include <optional>
 
 #include "exporters/area_grid.h"
 
@@ -44,14 +43,14 @@ View view_of(const Camera& camera, double aspect) {
 
 double aspect_of(const Scene& scene) { return double(scene.width) / scene.height; }
 
-/// A rectangle in a plane's own coordinates.
-struct Frame2D {
+/// A plane's own coordinates.
+struct PlaneAxes {
   Point centre;  // the point of the plane nearest to the origin
   Vector n, u, v;
 };
 
-Frame2D frame_of(const Plane& plane) {
-  Frame2D frame;
+PlaneAxes frame_of(const Plane& plane) {
+  PlaneAxes frame;
   frame.n = glm::normalize(plane.normal);
   frame.centre = glm::dot(plane.point, frame.n) * frame.n;
   const Vector size = glm::abs(frame.n);
@@ -63,23 +62,24 @@ Frame2D frame_of(const Plane& plane) {
   return frame;
 }
 
+/// A rectangle in a plane's own coordinates.
 struct Rectangle {
   double u0 = std::numeric_limits<double>::infinity(), u1 = -u0, v0 = u0, v1 = -u0;
 
   bool empty() const { return u0 > u1; }
-  void add(const Frame2D& frame, const Point& p) {
+  void add(const PlaneAxes& frame, const Point& p) {
     const double u = glm::dot(p - frame.centre, frame.u), v = glm::dot(p - frame.centre, frame.v);
     u0 = std::min(u0, u), u1 = std::max(u1, u);
     v0 = std::min(v0, v), v1 = std::max(v1, v);
   }
-  std::array<Point, 4> corners(const Frame2D& f) const {
+  std::array<Point, 4> corners(const PlaneAxes& f) const {
     const auto at = [&](double u, double v) { return f.centre + u * f.u + v * f.v; };
     return {at(u0, v0), at(u1, v0), at(u1, v1), at(u0, v1)};
   }
 };
 
 /// What the picture shows of a plane if nothing is in front of it.
-Rectangle visible_part(const Scene& scene, const Frame2D& frame) {
+Rectangle visible_part(const Scene& scene, const PlaneAxes& frame) {
   const View view = view_of(scene.camera, aspect_of(scene));
   Rectangle part;
   const int columns = scene.width * scene.samples, rows = scene.height * scene.samples;
@@ -129,7 +129,7 @@ std::vector<Point> receivers(const Scene& scene) {
   for (const Object& object : scene.objects) {
     for (const Point& corner : box_corners(object)) points.push_back(corner);
     if (const auto* plane = std::get_if<Plane>(&object.shape)) {
-      const Frame2D frame = frame_of(*plane);
+      const PlaneAxes frame = frame_of(*plane);
       const Rectangle part = visible_part(scene, frame);
       if (part.empty()) continue;
       for (const Point& corner : part.corners(frame)) points.push_back(corner);
@@ -148,7 +148,7 @@ std::vector<Point> lamp_positions(const Light& light) {
 /// Grows `part` by where the plane may stand between a surface and a lamp. The crossing lies
 /// between both, hence within the box around their feet on the plane; or, under a sun, where the
 /// sun's rays carry the surface.
-void add_shadow_casters(const Scene& scene, const Frame2D& frame, Rectangle& part) {
+void add_shadow_casters(const Scene& scene, const PlaneAxes& frame, Rectangle& part) {
   const std::vector<Point> points = receivers(scene);
   const auto height = [&](const Point& p) { return glm::dot(p - frame.centre, frame.n); };
   for (const Light& light : scene.lights) {
@@ -170,7 +170,7 @@ void add_shadow_casters(const Scene& scene, const Frame2D& frame, Rectangle& par
 }  // namespace
 
 std::vector<std::array<Point, 4>> plane_rectangles(const Scene& scene, const Plane& plane) {
-  const Frame2D frame = frame_of(plane);
+  const PlaneAxes frame = frame_of(plane);
   Rectangle all = visible_part(scene, frame);
   if (scene.shadows) add_shadow_casters(scene, frame, all);
   if (all.empty()) return {};
@@ -188,6 +188,26 @@ std::vector<std::array<Point, 4>> plane_rectangles(const Scene& scene, const Pla
     if (part.u0 == all.u0 && part.u1 == all.u1 && part.v0 == all.v0 && part.v1 == all.v1) break;
   }
   return rectangles;
+}
+
+std::vector<Point> picture_points(const Scene& scene) {
+  constexpr int kSteps = 5;
+  std::vector<Point> points;
+  for (const Object& object : scene.objects) {
+    const std::vector<Point> corners = box_corners(object);
+    points.insert(points.end(), corners.begin(), corners.end());
+    if (!corners.empty()) points.push_back((corners.front() + corners.back()) * 0.5);
+    const auto* plane = std::get_if<Plane>(&object.shape);
+    if (!plane) continue;
+    const PlaneAxes frame = frame_of(*plane);
+    const Rectangle part = visible_part(scene, frame);
+    for (int k = 0; k < kSteps * kSteps && !part.empty(); ++k) {
+      const double u = (k % kSteps + 0.5) / kSteps, v = (k / kSteps + 0.5) / kSteps;
+      points.push_back(frame.centre + glm::mix(part.u0, part.u1, u) * frame.u +
+                       glm::mix(part.v0, part.v1, v) * frame.v);
+    }
+  }
+  return points;
 }
 
 bool holds_eye(const Camera& camera, double aspect, const Sphere& sphere) {

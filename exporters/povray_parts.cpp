@@ -255,7 +255,7 @@ void write_materials(const Scene& scene, const Names& names, std::ostream& out) 
   #else  // POV-Ray's highlights have the light's colour: filter them
     #local Highlight =
       texture { pigment { rgb 0 } finish { specular 2*K roughness 1/Ns } }
-      texture { pigment { rgbf <Ks.red, Ks.green, Ks.blue, 1> } }
+      texture { pigment { rgbf <Ks.red, Ks.green, Ks.blue, 1> } };
     texture { average texture_map { [1 pigment { rgb Kd } finish { diffuse 2*K }] [1 Highlight] } }
   #end
 #end
