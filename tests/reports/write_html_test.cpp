@@ -1,0 +1,136 @@
+// write_html_test.cpp: the page is complete, self-contained and inert.
+#include "reports/write_html.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <set>
+
+#include "reports/write_json.h"
+#include "tests/reports/sample_study.h"
+
+namespace litmus {
+namespace {
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
+    ++found;
+  return found;
+}
+
+std::string between(const std::string& text, const std::string& from, const std::string& to) {
+  const std::size_t start = text.find(from) + from.size();
+  return text.substr(start, text.find(to, start) - start);
+}
+
+std::set<std::string> matches(const std::string& text, const char* pattern) {
+  const std::regex expression(pattern);
+  std::set<std::string> found;
+  for (std::sregex_iterator at(text.begin(), text.end(), expression), end; at != end; ++at)
+    found.insert((*at)[1]);
+  return found;
+}
+
+TEST(Page, SaysTheVerdictFirst) {
+  EXPECT_THAT(between(html(passing_study()), "<h1>", "</h1>"), HasSubstr("Everything agrees"));
+  EXPECT_THAT(between(html(mixed_study()), "<h1>", "</h1>"),
+              HasSubstr("8 of 120 comparisons disagree"));
+}
+
+TEST(Page, OfAPassHasNoAlarm) {
+  EXPECT_THAT(html(passing_study()), Not(HasSubstr("class=\"alert\"")));
+  EXPECT_THAT(html(mixed_study()), HasSubstr("class=\"alert\""));
+}
+
+TEST(Page, ListsTheWorstFailureFirstWithItsReason) {
+  const std::string alert = between(html(mixed_study()), "<section class=\"alert\"", "</section>");
+  EXPECT_LT(alert.find("r2-nan"), alert.find("r1-failing"));
+  EXPECT_THAT(alert, HasSubstr("1 of 2712 pixels are NaN or infinite"));
+}
+
+TEST(Page, HasAMatrixRowForEverySceneAndACellForEveryTypeAndReference) {
+  const std::string matrix = between(html(mixed_study()), "<tbody>", "</tbody>");
+  EXPECT_EQ(count(matrix, "<tr"), 7u);
+  EXPECT_EQ(count(matrix, "<td"), 7u * 6 * 2);
+  EXPECT_EQ(count(matrix, "<td class=\"fail\""), 4u);
+  EXPECT_EQ(count(matrix, "<td class=\"skipped\""), 3u);
+}
+
+TEST(Page, ShowsEveryLayerWithItsDifferencePictures) {
+  const std::string page = html(passing_study());
+  EXPECT_EQ(count(page, "<details class=\"layer"), 3u * 3);
+  EXPECT_EQ(count(page, "<figure class=\"difference\">"), 3u * 3 * 2);
+  EXPECT_EQ(count(page, "<figure class=\"\">"), 3u * (3 + 2)) << "ours, and theirs of the whole";
+}
+
+TEST(Page, HasATargetForEveryLink) {
+  const std::string page = html(mixed_study());
+  const std::set<std::string> links = matches(page, "href=\"#([^\"]+)\"");
+  const std::set<std::string> targets = matches(page, " id=\"([^\"]+)\"");
+  EXPECT_GT(links.size(), 7u);
+  for (const std::string& link : links) EXPECT_TRUE(targets.contains(link)) << link;
+}
+
+TEST(Page, AsksNothingOfTheNetwork) {
+  const std::string page = html(mixed_study());
+  for (const std::string& source : matches(page, "src=\"([^\"]{0,22})"))
+    EXPECT_EQ(source, "data:image/png;base64,");
+  for (const std::string& target : matches(page, "url\\(([^)]{0,22})"))
+    EXPECT_EQ(target, "data:image/png;base64,");
+  EXPECT_THAT(page, Not(HasSubstr("http://")));
+  EXPECT_THAT(page, Not(HasSubstr("https://")));
+  EXPECT_THAT(page, Not(HasSubstr("@import")));
+  EXPECT_THAT(page, HasSubstr("default-src 'none'"));
+}
+
+TEST(Page, KeepsHostileTextInert) {
+  const std::string page = html(mixed_study());
+  EXPECT_THAT(page, Not(HasSubstr("<img src=x")));
+  EXPECT_THAT(page, Not(HasSubstr("<script>alert")));
+  EXPECT_EQ(count(page, "<script"), 2u) << "the data and the page's own";
+  EXPECT_EQ(count(page, "</script>"), 2u);
+  EXPECT_THAT(page, HasSubstr("&lt;img src=x onerror=alert(1)&gt;&quot;"));
+  EXPECT_THAT(page, HasSubstr("{{x}}")) << "text is not taken for a template";
+  EXPECT_THAT(page, HasSubstr("&lt;/script&gt;&lt;script&gt;alert(1)&lt;/script&gt;"));
+}
+
+TEST(Page, CarriesItsResults) {
+  const Study study = mixed_study();
+  const std::string data =
+      between(html(study), "<script type=\"application/json\" id=\"results\">", "</script>");
+  EXPECT_EQ(nlohmann::json::parse(data), nlohmann::json::parse(results_json(study)));
+}
+
+TEST(Page, ShowsARendererThatFailedWithItsLog) {
+  Study study = passing_study();
+  study.cases[0].references[0].failure = "povray exited with 1";
+  study.cases[0].references[0].log = "Parse Error: no camera";
+  const std::string page = html(study);
+  EXPECT_THAT(between(page, "<h1>", "</h1>"), HasSubstr("A renderer failed"));
+  EXPECT_THAT(between(page, "<section class=\"alert\"", "</section>"),
+              HasSubstr("POV-Ray: povray exited with 1"));
+  EXPECT_THAT(page, HasSubstr("<pre>Parse Error: no camera</pre>"));
+}
+
+TEST(Page, OfPicturesOfDifferentSizeShowsNoDifference) {
+  Study study = passing_study();
+  study.cases[0].layers[2].theirs[0].picture = Picture(3, 2);
+  EXPECT_EQ(count(html(study), "<figure class=\"difference\">"), 3u * 3 * 2 - 1);
+}
+
+TEST(Page, OfAnEmptyStudyIsStillAPage) { EXPECT_THAT(html({}), HasSubstr("</html>")); }
+
+TEST(Page, StaysSmall) {
+  Study study = with_provenance();
+  for (int i = 0; i < 8; ++i)
+    add_case(study, {"scene-" + std::to_string(i), "key", "point"}, 160, 120);
+  EXPECT_LT(html(study).size(), 8 * 150'000u) << "33 scenes take less than 5 MB";
+}
+
+}  // namespace
+}  // namespace litmus
