@@ -18,6 +18,9 @@
 namespace litmus {
 namespace {
 
+/// Cutting a polygon into triangles takes time that grows with the square of its corners.
+constexpr std::size_t kMostCorners = 4096;
+
 [[noreturn]] void fail(int line, const std::string& message) {
   throw std::runtime_error(fmt::format(":{}: {}", line, message));
 }
@@ -85,6 +88,8 @@ void check_face(std::string_view rest, int line, std::size_t most_triangles, Con
     ++corners;
   }
   if (corners < 3) fail(line, fmt::format("a face needs at least 3 corners, not {}", corners));
+  if (corners > kMostCorners)
+    fail(line, fmt::format("a face may have {} corners, not {}", kMostCorners, corners));
   contents.triangles += corners - 2;
   if (contents.triangles > most_triangles)
     fail(line, fmt::format("more than {} triangles, the most that this scene has room for",
@@ -161,6 +166,8 @@ Mesh read_obj(const std::filesystem::path& file, bool smooth, std::size_t most_t
   for (std::size_t i = 0; i + 2 < corners.size(); i += 3)
     mesh.triangles.push_back(
         {corners[i].vertex_index, corners[i + 1].vertex_index, corners[i + 2].vertex_index});
+  if (mesh.triangles.size() != contents.triangles)
+    throw std::runtime_error(": holds a polygon that cannot be cut into triangles");
   if (smooth && !use_file_normals(attributes, corners, mesh)) smooth_normals(mesh);
   return mesh;
 }

@@ -154,6 +154,27 @@ TEST(ReadObj, CutsPolygonsIntoTriangles) {
   EXPECT_EQ(hexagon.triangles.size(), 4u);
 }
 
+TEST(ReadObj, KeepsTheAreaOfAConcavePolygon) {
+  const Mesh mesh = read_text("v 0 0 0\nv 2 0 0\nv 2 2 0\nv 1 0.5 0\nv 0 2 0\nf 1 2 3 4 5\n");
+  double area = 0;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+    area +=
+        glm::cross(corner(mesh, i, 1) - corner(mesh, i, 0), corner(mesh, i, 2) - corner(mesh, i, 0))
+            .z /
+        2;
+  EXPECT_NEAR(area, 2.5, 1e-15);
+}
+
+TEST(ReadObj, RefusesAFaceWithoutEndQuickly) {
+  const auto face = [](int corners) {
+    std::string text = "f";
+    for (int i = 0; i < corners; ++i) text += i % 2 ? " 2" : i % 4 ? " 3" : " 1";
+    return kQuad + text + "\n";
+  };
+  EXPECT_EQ(complaint(face(4), false, 100000), "");
+  EXPECT_THAT(complaint(face(4097), false, 100000), HasSubstr(":6: a face may have 4096 corners"));
+}
+
 TEST(ReadObj, KeepsEveryBitOfAVertex) {
   const Mesh mesh = read_text("v 0.1 1e-25 3.141592653589793\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   EXPECT_EQ(mesh.vertices[0], Point(0.1, 1e-25, 3.141592653589793));
