@@ -10,7 +10,6 @@
 #include "exporters/blender_parts.h"
 #include "exporters/envelope.h"
 #include "exporters/text.h"
-#include "scene/refusal.h"
 
 namespace litmus {
 namespace {
@@ -163,11 +162,7 @@ std::vector<std::string> blender_caveats(const Scene& scene) {
 }
 
 void write_blender(const Scene& given, std::ostream& out) {
-  if (given.shading == Shading::SampleCode) {
-    throw Refusal(
-        given.name +
-        ": shading: \"sample-code\" cannot be exported to Blender, only \"equation\" can");
-  }
+  refuse_for_blender(given);
   const Scene scene = into_envelope(given);
   write_header(given, out);
   out << kBlenderPrelude;

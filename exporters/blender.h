@@ -26,11 +26,12 @@ std::vector<BlenderFrame> blender_frames(const Scene& scene);
 
 /// The exact mapping. The script saves a .blend that renders without Python, and renders every
 /// frame to a 32-bit float EXR: `samples` times larger than the scene says, so the mean of samples
-/// x samples pixels is one pixel of the scene. Throws Refusal for shading = "sample-code".
+/// x samples pixels is one pixel of the scene. Throws Refusal for shading = "sample-code" and for
+/// pictures of fewer than 4 pixels a side, which Blender does not render.
 void write_blender(const Scene& scene, std::ostream& out);
 
-/// What a user of Blender would write, at best fit: SPOT, AREA, Principled BSDF. The same frames,
-/// but an area light has one. The header comment says what is not the model's.
+/// What a user of Blender would write, at best fit: SPOT, AREA, Diffuse and Glossy BSDF. The same
+/// frames, but an area light has one. The header comment says what is not the model's.
 void write_blender_native(const Scene& scene, std::ostream& out);
 
 /// What the exact export cannot express exactly in this scene; empty where it is exact.

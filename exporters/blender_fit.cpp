@@ -89,12 +89,14 @@ SpotFit fit_spot(double cutoff, double exponent) {
   SpotFit best{0, 2};
   for (int b = 0; b <= kBlends; ++b) {
     const double blend = double(b) / kBlends;
-    double square = 0;
+    std::vector<double> model, lamp;
     for (int i = 0; i < kAngles; ++i) {
-      const double alpha = (i + 0.5) / kAngles * cutoff;
-      square += std::pow(decay(alpha, cutoff, exponent) - blender_spot(alpha, cutoff, blend), 2);
+      // Rings of equal solid angle.
+      const double alpha = std::acos(1 - (i + 0.5) / kAngles * (1 - std::cos(cutoff)));
+      model.push_back(decay(alpha, cutoff, exponent));
+      lamp.push_back(blender_spot(alpha, cutoff, blend));
     }
-    const double rms = std::sqrt(square / kAngles);
+    const double rms = least_squares(model, lamp).rms;
     if (rms < best.rms) best = {blend, rms};
   }
   return best;

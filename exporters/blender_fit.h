@@ -18,9 +18,9 @@ struct LampFit {
 /// lamp reaches no point.
 LampFit fit_distance(const Light& light, const std::vector<Point>& points);
 
-/// The blend in 0..1 of Blender's SPOT that is nearest to 1 - (alpha / cutoff)^exponent over the
-/// angles 0..cutoff, and what is left. Cycles: cos(alpha) times smoothstep((cos(alpha) -
-/// cos(cutoff)) / (blend (1 - cos(cutoff)))) (kernel/light/common.h).
+/// The blend in 0..1 of Blender's SPOT that, times a gain, is nearest to 1 - (alpha /
+/// cutoff)^exponent over the solid angle of the cone, and what is left. Cycles: cos(alpha) times
+/// smoothstep((cos(alpha) - cos(cutoff)) / (blend (1 - cos(cutoff)))) (kernel/light/common.h).
 struct SpotFit {
   double blend = 0, rms = 0;
 };

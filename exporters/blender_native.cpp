@@ -12,7 +12,6 @@
 #include "exporters/blender_parts.h"
 #include "exporters/envelope.h"
 #include "exporters/text.h"
-#include "scene/refusal.h"
 
 namespace litmus {
 namespace {
@@ -140,11 +139,7 @@ std::vector<std::string> differences(const Scene& scene) {
 }  // namespace
 
 void write_blender_native(const Scene& given, std::ostream& out) {
-  if (given.shading == Shading::SampleCode) {
-    throw Refusal(
-        given.name +
-        ": shading: \"sample-code\" cannot be exported to Blender, only \"equation\" can");
-  }
+  refuse_for_blender(given);
   const Scene scene = into_envelope(given);
   out << "# " << comment(given.name)
       << ", as a user of Blender 3.4 would build it (Cycles, CPU)\n#\n";

@@ -10,6 +10,7 @@
 #include "exporters/blender_geometry.h"
 #include "exporters/envelope.h"
 #include "exporters/text.h"
+#include "scene/refusal.h"
 
 namespace litmus {
 namespace {
@@ -47,6 +48,19 @@ std::string python_triple(const glm::dvec3& v) {
 }
 
 std::string python_label(const std::string& name) { return python_string(comment(name)); }
+
+void refuse_for_blender(const Scene& scene) {
+  constexpr int kSmallest = 4;
+  if (scene.shading == Shading::SampleCode) {
+    throw Refusal(
+        scene.name +
+        ": shading: \"sample-code\" cannot be exported to Blender, only \"equation\" can");
+  }
+  if (scene.width * scene.samples < kSmallest || scene.height * scene.samples < kSmallest) {
+    throw Refusal(fmt::format("{}: image: {} x {} pixels; Blender renders at least {} x {}",
+                              scene.name, scene.width, scene.height, kSmallest, kSmallest));
+  }
+}
 
 Color blender_ambient(const Scene& scene) {
   Color total = scene.ambient;
@@ -100,7 +114,8 @@ void write_blender_mesh(const std::string& start, const Mesh& mesh, const std::s
   out << "mesh(" << start << ", vertices=\"\"\"\n";
   write_lines(mesh.vertices, out);
   out << "\"\"\", triangles=\"\"\"\n";
-  for (const auto& t : mesh.triangles) out << t[0] << ' ' << t[1] << ' ' << t[2] << '\n';
+  // fmt, because an ostream groups digits as its locale says.
+  for (const auto& t : mesh.triangles) out << fmt::format("{} {} {}\n", t[0], t[1], t[2]);
   if (!mesh.normals.empty()) {
     out << "\"\"\", normals=\"\"\"\n";
     write_lines(mesh.normals, out);

@@ -15,6 +15,10 @@ std::string python_triple(const glm::dvec3& v);
 /// A name for people as a Python string; Blender takes no control characters in names.
 std::string python_label(const std::string& name);
 
+/// Throws Refusal for what no Blender script can show: shading = "sample-code", and pictures of
+/// fewer than 4 pixels a side.
+void refuse_for_blender(const Scene& scene);
+
 /// Ia: the scene's ambient colour and every light's, added once.
 Color blender_ambient(const Scene& scene);
 
