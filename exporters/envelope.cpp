@@ -160,6 +160,11 @@ Envelope envelope_of(const Scene& scene) {
   return {extent.centre(), std::ldexp(1.0, 3 - std::ilogb(radius))};
 }
 
+double extent_radius(const Scene& scene) {
+  const Extent extent = extent_of(scene);
+  return extent.empty() ? 0 : extent.radius();
+}
+
 Scene into_envelope(const Scene& scene) {
   Scene moved = scene;
   for (Light& light : moved.lights) resolve_normal(light);

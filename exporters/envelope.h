@@ -23,6 +23,9 @@ struct Envelope {
 /// to the origin and its radius to 8..16.
 Envelope envelope_of(const Scene& scene);
 
+/// Half the diagonal of that extent; 0 for a scene without any.
+double extent_radius(const Scene& scene);
+
 /// A copy of the scene, moved and scaled with every length in it (ranges, sizes, the orthographic
 /// height). An area light without a normal gets it first: from the light to the origin (slide 20).
 /// Throws Refusal if such a light stands on the origin.

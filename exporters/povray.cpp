@@ -24,6 +24,14 @@ namespace {
 // distance d is hit to about 1e-16 d^2.
 double filter_radius(const Point& lamp) { return std::max(2e-3, 2e-5 * glm::length(lamp)); }
 
+// POV-Ray ignores occluders within 1e-3 of a surface, which shows at the terminator of meshes where
+// the scene is 10 across, and no more from 100 on. So the file's unit is a small one: the scene's
+// radius is 256..512 of them, and its numbers stay the author's.
+double unit_of(const Scene& scene) {
+  const double radius = extent_radius(scene);
+  return radius > 0 ? std::ldexp(1.0, 8 - std::ilogb(radius)) : 32;
+}
+
 // Beyond the light of parallel rays, nothing casts a shadow; POV-Ray ends at 1e7.
 constexpr double kSunDistance = 1e5;
 
@@ -71,7 +79,7 @@ void write_light_macros(const Scene& scene, std::ostream& out) {
 // round the lamps. Quadratic attenuation is the lamp's own.
 #macro Medium(Range, Linear)
   pigment {{ rgbt 1 }} hollow no_image no_reflection
-  interior {{ fade_distance (Range + Linear*Radius)/Linear fade_power 1 fade_color rgb 0 }}
+  interior {{ fade_distance (Range*Unit + Linear*Radius)/Linear fade_power 1 fade_color rgb 0 }}
 #end
 #declare Space = box {{ -{0}*<1, 1, 1>, {0}*<1, 1, 1> pigment {{ rgbt 1 }} }}
 )",
@@ -85,11 +93,12 @@ std::string lamp_color(const Light& light, int samples) {
   if (samples > 1) text += fmt::format("/{}", samples);
   if (a.linear == 0 && a.quadratic == 0) return text;
   const std::string range = number(a.range);
-  if (has_medium(light)) text += fmt::format(" * {0}/({0} + {1}*Radius)", range, number(a.linear));
-  return text +
-         (a.quadratic > 0
-              ? fmt::format("/2 fade_distance {}/sqrt({}) fade_power 2", range, number(a.quadratic))
-              : fmt::format("/2 fade_distance {}/{} fade_power 1", range, number(a.linear)));
+  if (has_medium(light))
+    text += fmt::format(" * {0}*Unit/({0}*Unit + {1}*Radius)", range, number(a.linear));
+  return text + (a.quadratic > 0 ? fmt::format("/2 fade_distance Unit*{}/sqrt({}) fade_power 2",
+                                               range, number(a.quadratic))
+                                 : fmt::format("/2 fade_distance Unit*{}/{} fade_power 1", range,
+                                               number(a.linear)));
 }
 
 std::string medium(const Light& light) {
@@ -103,12 +112,12 @@ void write_directional(const Light& light, const DirectionalLight& sun, std::ost
       number(kSunDistance), vector_text(sun.direction), vector_text(diffuse_power(light)));
 }
 
-void write_point(const Light& light, const PointLight& point, const std::string& cone,
+void write_point(const Light& light, const PointLight& point, const std::string& cone, double unit,
                  std::ostream& out) {
   const bool filtered = has_medium(light) || !cone.empty();
-  const std::string at = vector_text(point.origin);
+  const std::string at = vector_text(point.origin) + "*Unit";
   if (filtered)
-    out << fmt::format("  #declare Radius = {};\n", number(filter_radius(point.origin)));
+    out << fmt::format("  #declare Radius = {};\n", number(filter_radius(unit * point.origin)));
   out << fmt::format("  light_source {{ {} {} }}\n", at, lamp_color(light, 1));
   if (!filtered) return;
   const std::string sphere = fmt::format("sphere {{ 0, Radius {} translate {}",
@@ -119,7 +128,7 @@ void write_point(const Light& light, const PointLight& point, const std::string&
     out << fmt::format("  {} hollow no_image no_reflection }}\n", sphere);
 }
 
-void write_spot(const Light& light, const SpotLight& spot, std::ostream& out) {
+void write_spot(const Light& light, const SpotLight& spot, double unit, std::ostream& out) {
   if (spot.exponent == 0) {
     out << "  // Exponent 0: 1 - (angle/cutoff)^0 is no light at all.\n";
     return;
@@ -127,10 +136,10 @@ void write_spot(const Light& light, const SpotLight& spot, std::ostream& out) {
   write_point(light, spot.point,
               fmt::format("Cone({}, {}, {})", vector_text(spot.direction), number(spot.cutoff),
                           number(spot.exponent)),
-              out);
+              unit, out);
 }
 
-void write_area(const Light& light, const AreaLight& area, const std::string& name,
+void write_area(const Light& light, const AreaLight& area, const std::string& name, double unit,
                 std::ostream& out) {
   const std::vector<Point> samples = area_samples(area);
   const std::size_t count = samples.size();
@@ -140,12 +149,13 @@ void write_area(const Light& light, const AreaLight& area, const std::string& na
     out << "    " << vector_text(samples[i]) << (i + 1 < count ? ",\n" : "\n  }\n");
   const std::string loop = fmt::format("#for (I, 0, {})", count - 1);
   if (has_medium(light))
-    out << fmt::format("  #declare Radius = {};\n", number(filter_radius(area.point.origin)));
-  out << fmt::format("  {} light_source {{ {}_Samples[I] {} }} #end\n", loop, name,
+    out << fmt::format("  #declare Radius = {};\n",
+                       number(filter_radius(unit * area.point.origin)));
+  out << fmt::format("  {} light_source {{ {}_Samples[I]*Unit {} }} #end\n", loop, name,
                      lamp_color(light, int(count)));
   if (has_medium(light))
     out << fmt::format(
-        "  difference {{\n    object {{ Space }}\n    {} sphere {{ {}_Samples[I], Radius "
+        "  difference {{\n    object {{ Space }}\n    {} sphere {{ {}_Samples[I]*Unit, Radius "
         "pigment {{ rgbt 1 }} }} #end\n    {}\n  }}\n",
         loop, name, medium(light));
 }
@@ -157,12 +167,12 @@ struct Overload : F... {
 template <class... F>
 Overload(F...) -> Overload<F...>;
 
-void write_light(const Light& light, const std::string& name, std::ostream& out) {
+void write_light(const Light& light, const std::string& name, double unit, std::ostream& out) {
   out << fmt::format("\n#if (Shines({}))  // {}\n", name, light_type(light));
   std::visit(Overload{[&](const DirectionalLight& l) { write_directional(light, l, out); },
-                      [&](const PointLight& l) { write_point(light, l, "", out); },
-                      [&](const SpotLight& l) { write_spot(light, l, out); },
-                      [&](const AreaLight& l) { write_area(light, l, name, out); }},
+                      [&](const PointLight& l) { write_point(light, l, "", unit, out); },
+                      [&](const SpotLight& l) { write_spot(light, l, unit, out); },
+                      [&](const AreaLight& l) { write_area(light, l, name, unit, out); }},
              light.shape);
   out << "#end\n";
 }
@@ -193,13 +203,14 @@ void write_povray(const Scene& original, std::ostream& out) {
                        "specular colour belong to all lights only.");
   write_header(scene, envelope_of(original),
                "Written by litmus for POV-Ray 3.7: the model's own formulas, exactly.", notes, out);
-  write_layers(scene, names, whole, out);
+  const double unit = unit_of(scene);
+  write_layers(scene, names, unit, whole, out);
   write_camera(scene, out);
   write_materials(scene, names, out);
   write_objects(scene, names, out);
   write_light_macros(scene, out);
   for (std::size_t i = 0; i < scene.lights.size(); ++i)
-    write_light(scene.lights[i], names.lights[i], out);
+    write_light(scene.lights[i], names.lights[i], unit, out);
 }
 
 std::vector<std::string> povray_caveats(const Scene&) { return {}; }

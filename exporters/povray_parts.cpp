@@ -190,11 +190,13 @@ void write_header(const Scene& scene, const Envelope& envelope, const std::strin
   out << '\n';
 }
 
-void write_layers(const Scene& scene, const Names& names, bool whole, std::ostream& out) {
+void write_layers(const Scene& scene, const Names& names, double unit, bool whole,
+                  std::ostream& out) {
   out << "#version 3.7;\n"
          "global_settings { assumed_gamma 1.0 ambient_light rgb 1 adc_bailout 0 }\n"
          "#default { finish { ambient 0 diffuse 0 specular 0 emission 0 } }\n";
-  out << title("Layer: the light that shines");
+  out << title("Unit and layer");
+  out << fmt::format("#declare Unit = {};  // one unit of the scene in POV-Ray's\n", number(unit));
   out << "#ifndef (Layer) #declare Layer = frame_number; #end\n"
          "#ifndef (Boost) #declare Boost = 1; #end  // a factor on all light\n";
   for (std::size_t i = 0; i < scene.lights.size(); ++i)
@@ -232,11 +234,12 @@ void write_camera(const Scene& scene, std::ostream& out) {
   const Camera& c = scene.camera;
   const bool flat = c.projection == Projection::Orthographic;
   out << title("Camera");
-  out << fmt::format("#declare Eye = {};\n#declare Forward = vnormalize({} - Eye);\n",
+  out << fmt::format("#declare Eye = {}*Unit;\n#declare Forward = vnormalize({}*Unit - Eye);\n",
                      vector_text(c.eye), vector_text(c.target));
-  out << fmt::format("#declare Height = {};  // of the picture{}\n",
-                     flat ? number(c.height) : fmt::format("2*tan({}/2)", number(c.fov)),
-                     flat ? "" : " at distance 1");
+  out << fmt::format(
+      "#declare Height = {};  // of the picture{}\n",
+      flat ? fmt::format("{}*Unit", number(c.height)) : fmt::format("2*tan({}/2)", number(c.fov)),
+      flat ? "" : " at distance 1");
   out << fmt::format(
       "#declare PictureRight = vnormalize(vcross(Forward, {})) * Height*{}/{};\n"
       "#declare PictureUp = vcross(vnormalize(PictureRight), Forward) * Height;\n",
@@ -288,9 +291,9 @@ void write_objects(const Scene& scene, const Names& names, std::ostream& out) {
     if (is_empty_mesh(object)) continue;
     out << comment_block(object.name, "// ");
     write_shape(object, out);
-    out << fmt::format("  texture {{ {} }}{}{} }}\n", names.materials[std::size_t(object.material)],
-                       object.camera_visible ? "" : " no_image no_reflection",
-                       scene.shadows ? "" : " no_shadow");
+    out << fmt::format(
+        "  scale Unit texture {{ {} }}{}{} }}\n", names.materials[std::size_t(object.material)],
+        object.camera_visible ? "" : " no_image no_reflection", scene.shadows ? "" : " no_shadow");
   }
 }
 

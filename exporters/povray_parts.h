@@ -40,8 +40,13 @@ double whole_gain(const Scene& scene);
 void write_header(const Scene& scene, const Envelope& envelope, const std::string& kind,
                   const std::vector<std::string>& notes, std::ostream& out);
 
-/// #version, global_settings and the choice of the layer. `whole`: frame 0 renders all lights.
-void write_layers(const Scene& scene, const Names& names, bool whole, std::ostream& out);
+/// #version, global_settings, the unit and the choice of the layer. `unit`: how large a unit of the
+/// scene is in POV-Ray, see `Unit` below. `whole`: frame 0 renders all lights.
+void write_layers(const Scene& scene, const Names& names, double unit, bool whole,
+                  std::ostream& out);
+
+// The following use what write_layers() declares: `Unit`, `Layer`, `Boost`, `Gain`, `Ia`, `Id`,
+// `Is`.
 
 void write_camera(const Scene& scene, std::ostream& out);
 void write_materials(const Scene& scene, const Names& names, std::ostream& out);

@@ -252,8 +252,8 @@ std::string povray_residual(const Scene& scene) {
 #declare Near = {1};
 #declare Size = {2};
 #declare Corner = Eye + Near*Forward - Size/2*(PictureRight + PictureUp);
-polygon {{
-  5, <0, 0>, <1, 0>, <1, 1>, <0, 1>, <0, 0>
+plane {{
+  z, 0  // endless, because a polygon's bounding box has single precision
   pigment {{ image_map {{ png {3} gamma 1.0 once transmit all {4} }} }}
   finish {{ emission -Boost }}
   interior {{ ior 1 }}
