@@ -25,6 +25,8 @@ ambient_colour = (0, 0, 0)
 def new_scene(name, width, height, samples=1):
     """An empty scene in which every setting that costs exactness is off. Pictures are `samples` times
     larger than the scene says: the mean of samples x samples pixels is one pixel of the scene."""
+    if bpy.app.version >= (4, 0, 0):
+        raise RuntimeError("this script is for Blender 3.4; 4.0 makes node groups another way")
     bpy.ops.wm.read_factory_settings(use_empty=True)
     frames.clear()
     groups.clear()
@@ -51,6 +53,8 @@ def new_scene(name, width, height, samples=1):
     cycles.transmission_bounces = cycles.volume_bounces = cycles.transparent_max_bounces = 0
     cycles.sample_clamp_direct = cycles.sample_clamp_indirect = 0
     cycles.blur_glossy = 0
+    if hasattr(cycles, "use_light_tree"):        # since 3.5
+        cycles.use_light_tree = False
     cycles.caustics_reflective = cycles.caustics_refractive = False
 
 
@@ -167,8 +171,9 @@ def blinn_phong(kind):
         n = geometry["Normal"]
     elif kind == "mesh":
         attribute = nodes.node("ShaderNodeAttribute", attribute_name="shading normal")
-        side = nodes.math("MULTIPLY_ADD", geometry["Backfacing"], -2.0, 1.0, label="towards the eye")
-        n = nodes.scale(nodes.vector("NORMALIZE", attribute.outputs["Vector"]), side)
+        n = nodes.vector("NORMALIZE", attribute.outputs["Vector"])
+        away = nodes.math("LESS_THAN", nodes.vector("DOT_PRODUCT", n, eye), 0.0)
+        n = nodes.scale(n, nodes.math("MULTIPLY_ADD", away, -2.0, 1.0), label="towards the eye")
     else:
         # |p + s e - c| = r for the small s, with p the point on the mesh and e towards the eye.
         centre, radius = material["Centre"], material["Radius"]

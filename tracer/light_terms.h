@@ -28,6 +28,8 @@ LightTerms<R> light_terms(const Plan<R>& plan, const Source<R>& source, const Hi
                           const Vec<R>& eye) {
   const Finish<R>& finish = plan.finishes[std::size_t(hit.object)];
   LightTerms<R> total;
+  // Near a silhouette an interpolated normal may be turned the other way than the geometric one.
+  total.signature = dot(hit.normal, hit.geometric) < 0;
   for (const Lamp<R>& lamp : source.lamps) {
     const Incident<R> light = incident(lamp, hit.point);
     const bool faces = dot(light.direction, hit.geometric) > 0;

@@ -17,7 +17,7 @@ struct Hit {
   R u{}, v{}, w{};   ///< triangles: barycentric weights
   Vec<R> point;      ///< on the surface itself, not just on the ray
   Vec<R> geometric;  ///< unit normal of the surface, turned towards the eye
-  Vec<R> normal;     ///< unit normal for shading, turned like the geometric one
+  Vec<R> normal;     ///< unit normal for shading, turned towards the eye by itself
 };
 
 /// Nearest first; of equals the object that comes first in the scene, then the lower index.
@@ -65,15 +65,11 @@ void settle(const Plan<R>& plan, const Ray<R>& ray, Hit<R>& hit) {
       if (!info.smooth) break;
       hit.normal =
           normalize(hit.u * info.normals[0] + hit.v * info.normals[1] + hit.w * info.normals[2]);
-      // A mesh may list its corners clockwise: the vertex normals say which side is the outside.
-      if (dot(hit.normal, info.normal) < 0) hit.geometric = -info.normal;
       break;
     }
   }
-  if (dot(hit.geometric, ray.direction) > 0) {
-    hit.geometric = -hit.geometric;
-    hit.normal = -hit.normal;
-  }
+  if (dot(hit.geometric, ray.direction) > 0) hit.geometric = -hit.geometric;
+  if (dot(hit.normal, ray.direction) > 0) hit.normal = -hit.normal;
 }
 
 /// What a ray from the eye sees first among the objects that a camera sees.
