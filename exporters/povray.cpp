@@ -13,7 +13,6 @@
 #include "exporters/envelope.h"
 #include "exporters/povray_parts.h"
 #include "exporters/text.h"
-#include "scene/refusal.h"
 
 namespace litmus {
 namespace povray {
@@ -53,9 +52,8 @@ bool renders_whole(const Scene& scene) {
 }
 
 void write_light_macros(const Scene& scene, std::ostream& out) {
-  out << R"(
-// ---- Lights ---------------------------------------------------------------------------------------
-#macro LightColor(Color) (Boost * #if (Layer = 0) Color #else <1, 1, 1> #end) #end
+  write_title("Lights", out);
+  out << R"(#macro LightColor(Color) (Boost * #if (Layer = 0) Color #else <1, 1, 1> #end) #end
 )";
   const auto is_spot = [](const Light& l) { return std::holds_alternative<SpotLight>(l.shape); };
   if (std::any_of(scene.lights.begin(), scene.lights.end(), is_spot))
@@ -177,14 +175,6 @@ void write_light(const Light& light, const std::string& name, double unit, std::
   out << "#end\n";
 }
 
-void refuse_sample_code(const Scene& scene) {
-  if (scene.shading == Shading::SampleCode)
-    throw Refusal(fmt::format(
-        "{}: shading: \"sample-code\" is not a reading that POV-Ray can render; export the scene "
-        "with shading = \"equation\"",
-        scene.file.empty() ? scene.name : scene.file.string()));
-}
-
 }  // namespace
 }  // namespace povray
 
@@ -207,7 +197,7 @@ void write_povray(const Scene& original, std::ostream& out) {
   write_layers(scene, names, unit, whole, out);
   write_camera(scene, out);
   write_materials(scene, names, out);
-  write_objects(scene, names, out);
+  write_objects(scene, names, MeshAs::Triangles, out);
   write_light_macros(scene, out);
   for (std::size_t i = 0; i < scene.lights.size(); ++i)
     write_light(scene.lights[i], names.lights[i], unit, out);

@@ -11,6 +11,7 @@
 
 #include "exporters/povray.h"
 #include "exporters/text.h"
+#include "scene/refusal.h"
 
 namespace litmus::povray {
 namespace {
@@ -40,11 +41,6 @@ double light_bound(const Scene& scene, const Light& light) {
   return bound;
 }
 
-std::string title(const std::string& text) {
-  const std::string start = fmt::format("\n// ---- {} ", text);
-  return start + std::string(start.size() < 101 ? 101 - start.size() : 0, '-') + "\n";
-}
-
 template <class... F>
 struct Overload : F... {
   using F::operator()...;
@@ -63,8 +59,21 @@ void write_triangle(const Mesh& mesh, const std::array<std::int32_t, 3>& corners
   out << " }\n";
 }
 
+void write_mesh2(const Mesh& mesh, std::ostream& out) {
+  const auto block = [&](const char* name, const auto& items, const auto& text) {
+    out << fmt::format("  {} {{\n    {}", name, items.size());
+    for (const auto& item : items) out << ",\n    " << text(item);
+    out << "\n  }\n";
+  };
+  out << "mesh2 {\n";
+  block("vertex_vectors", mesh.vertices, vector_text);
+  if (!mesh.normals.empty()) block("normal_vectors", mesh.normals, vector_text);
+  block("face_indices", mesh.triangles,
+        [](const auto& t) { return fmt::format("<{}, {}, {}>", t[0], t[1], t[2]); });
+}
+
 // Everything of an object but its texture and its end.
-void write_shape(const Object& object, std::ostream& out) {
+void write_shape(const Object& object, MeshAs as, std::ostream& out) {
   std::visit(Overload{[&](const Sphere& s) {
                         out << fmt::format("sphere {{ {}, {}", vector_text(s.center),
                                            number(s.radius));
@@ -81,9 +90,7 @@ void write_shape(const Object& object, std::ostream& out) {
                                            vector_text(t.b), vector_text(t.c));
                       },
                       [&](const Mesh& m) {
-                        // A union, because POV-Ray's mesh2 keeps vertices in single precision and
-                        // lets single rays through at edges. POV-Ray splits it for its search tree:
-                        // it is as fast.
+                        if (as == MeshAs::Mesh2) return write_mesh2(m, out);
                         out << fmt::format("union {{  // {} triangles\n", m.triangles.size());
                         for (const auto& corners : m.triangles) write_triangle(m, corners, out);
                       }},
@@ -96,6 +103,20 @@ bool is_empty_mesh(const Object& object) {
 }
 
 }  // namespace
+
+void write_title(const std::string& title, std::ostream& out) {
+  const std::string start = fmt::format("\n// ---- {} ", title);
+  constexpr std::size_t kWidth = 101;  // with the newline
+  out << start << std::string(std::max(kWidth, start.size()) - start.size(), '-') << '\n';
+}
+
+void refuse_sample_code(const Scene& scene) {
+  if (scene.shading == Shading::SampleCode)
+    throw Refusal(
+        fmt::format("{}: shading: \"sample-code\" is a reading that POV-Ray cannot render; export "
+                    "the scene with shading = \"equation\"",
+                    scene.file.empty() ? scene.name : scene.file.string()));
+}
 
 std::string vector_text(const Vector& v) {
   return fmt::format("<{}, {}, {}>", number(v.x), number(v.y), number(v.z));
@@ -195,7 +216,7 @@ void write_layers(const Scene& scene, const Names& names, double unit, bool whol
   out << "#version 3.7;\n"
          "global_settings { assumed_gamma 1.0 ambient_light rgb 1 adc_bailout 0 }\n"
          "#default { finish { ambient 0 diffuse 0 specular 0 emission 0 } }\n";
-  out << title("Unit and layer");
+  write_title("Unit and layer", out);
   out << fmt::format("#declare Unit = {};  // one unit of the scene in POV-Ray's\n", number(unit));
   out << "#ifndef (Layer) #declare Layer = frame_number; #end\n"
          "#ifndef (Boost) #declare Boost = 1; #end  // a factor on all light\n";
@@ -233,7 +254,7 @@ void write_layers(const Scene& scene, const Names& names, double unit, bool whol
 void write_camera(const Scene& scene, std::ostream& out) {
   const Camera& c = scene.camera;
   const bool flat = c.projection == Projection::Orthographic;
-  out << title("Camera");
+  write_title("Camera", out);
   out << fmt::format("#declare Eye = {}*Unit;\n#declare Forward = vnormalize({}*Unit - Eye);\n",
                      vector_text(c.eye), vector_text(c.target));
   out << fmt::format(
@@ -250,7 +271,7 @@ void write_camera(const Scene& scene, std::ostream& out) {
 }
 
 void write_materials(const Scene& scene, const Names& names, std::ostream& out) {
-  out << title("Materials: ambient ka, diffuse kd, specular ks, shininess ns (slide 5)");
+  write_title("Materials: ambient ka, diffuse kd, specular ks, shininess ns (slide 5)", out);
   out << R"(// The lights are white: their colours are in Id and Is. Brightness is K: averages divide by 2.
 #macro Lit(Kd, Ks, Ns, K)
   #if (Ks.red = Ks.green & Ks.green = Ks.blue)
@@ -275,8 +296,6 @@ void write_materials(const Scene& scene, const Names& names, std::ostream& out) 
   #end
 #end
 )";
-  // Exponent 0 is a highlight everywhere; POV-Ray divides by it.
-  constexpr double kNoShininess = 1e-30;
   for (std::size_t i = 0; i < scene.materials.size(); ++i) {
     const Material& m = scene.materials[i];
     out << fmt::format("#declare {} = Surface({}, {}, {}, {})\n", names.materials[i],
@@ -285,14 +304,14 @@ void write_materials(const Scene& scene, const Names& names, std::ostream& out) 
   }
 }
 
-void write_objects(const Scene& scene, const Names& names, std::ostream& out) {
-  out << title("Objects");
+void write_objects(const Scene& scene, const Names& names, MeshAs mesh, std::ostream& out) {
+  write_title("Objects", out);
   for (const Object& object : scene.objects) {
     if (is_empty_mesh(object)) continue;
     out << comment_block(object.name, "// ");
-    write_shape(object, out);
+    write_shape(object, mesh, out);
     out << fmt::format(
-        "  scale Unit texture {{ {} }}{}{} }}\n", names.materials[std::size_t(object.material)],
+        " scale Unit texture {{ {} }}{}{} }}\n", names.materials[std::size_t(object.material)],
         object.camera_visible ? "" : " no_image no_reflection", scene.shadows ? "" : " no_shadow");
   }
 }

@@ -1,0 +1,25 @@
+// exporters.cpp: the table of exporters. A further renderer is one row here.
+#include "exporters/exporters.h"
+
+#include <array>
+
+#include "exporters/blender.h"
+#include "exporters/povray.h"
+
+namespace litmus {
+
+std::span<const Exporter> exporters() {
+  static const std::array table{
+      Exporter{"povray", ".pov", write_povray, write_povray_native, povray_caveats},
+      Exporter{"blender", ".py", write_blender, write_blender_native, blender_caveats},
+  };
+  return table;
+}
+
+const Exporter* find_exporter(std::string_view name) {
+  for (const Exporter& exporter : exporters())
+    if (exporter.name == name) return &exporter;
+  return nullptr;
+}
+
+}  // namespace litmus
