@@ -172,8 +172,8 @@ def blinn_phong(kind):
     elif kind == "mesh":
         attribute = nodes.node("ShaderNodeAttribute", attribute_name="shading normal")
         n = nodes.vector("NORMALIZE", attribute.outputs["Vector"])
-        away = nodes.math("LESS_THAN", nodes.vector("DOT_PRODUCT", n, eye), 0.0)
-        n = nodes.scale(n, nodes.math("MULTIPLY_ADD", away, -2.0, 1.0), label="towards the eye")
+        away = nodes.math("LESS_THAN", nodes.vector("DOT_PRODUCT", n, eye), 0.0, label="n.e < 0")
+        n = nodes.scale(n, nodes.math("MULTIPLY_ADD", away, -2.0, 1.0), label="n, towards the eye")
     else:
         # |p + s e - c| = r for the small s, with p the point on the mesh and e towards the eye.
         centre, radius = material["Centre"], material["Radius"]
@@ -318,19 +318,12 @@ def mesh(name, finish, vertices, triangles, normals="", visible=True):
     co = list(map(float, vertices.split()))
     index = list(map(int, triangles.split()))
     vertex = list(zip(co[0::3], co[1::3], co[2::3]))
-    face = [face_normal(vertex[a], vertex[b], vertex[c])
-            for a, b, c in zip(index[0::3], index[1::3], index[2::3])]
     if normals:
         normal = list(map(float, normals.split()))
-        corner = list(zip(normal[0::3], normal[1::3], normal[2::3]))
-        # The side towards the eye is that of the triangle: wind each as its corners' normals say.
-        for i, (x, y, z) in enumerate(face):
-            a, b, c = (corner[j] for j in index[3 * i:3 * i + 3])
-            if x * (a[0] + b[0] + c[0]) + y * (a[1] + b[1] + c[1]) + z * (a[2] + b[2] + c[2]) < 0:
-                index[3 * i], index[3 * i + 1] = index[3 * i + 1], index[3 * i]
     else:
-        normal = [x for n in face for x in n]
-    count = len(face)
+        normal = [x for a, b, c in zip(index[0::3], index[1::3], index[2::3])
+                  for x in face_normal(vertex[a], vertex[b], vertex[c])]
+    count = len(index) // 3
     thing = add_mesh(name, array("f", co), array("i", index), array("i", range(0, 3 * count, 3)),
                      array("i", [3]) * count, finish.on("mesh"), visible)
     attribute = thing.data.attributes.new("shading normal", "FLOAT_VECTOR", "POINT" if normals else "FACE")

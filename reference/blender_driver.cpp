@@ -122,6 +122,8 @@ struct Batch {
   std::vector<std::size_t> waiting;  ///< in order
   std::string command;
   fs::path log;
+  std::string text;      ///< of the log, as far as it has been read
+  std::size_t done = 0;  ///< where in it the last line about an ended scene ends
 
   void report(std::size_t scene, const std::string& failure) {
     ReferenceResult result;
@@ -132,14 +134,11 @@ struct Batch {
     const fs::path folder = options.work / label(scene);
     if (failure.empty()) try {
         result.layers = read_layers_of(scenes[scene], folder);
-        result.seconds = blender_render_seconds(read_text(log), scene);
+        result.seconds = blender_render_seconds(text, scene);
       } catch (const std::exception& error) {
         result.failure = error.what();
         result.layers.clear();
       }
-    // The frames of a large area light are many; the layers are what counts.
-    std::error_code ignored;
-    if (result.failure.empty()) fs::remove_all(folder, ignored);
     if (options.progress) {
       options.progress(fmt::format("Blender: {}{}", result.scene,
                                    result.failure.empty() ? "" : ": " + result.failure));
@@ -149,20 +148,21 @@ struct Batch {
 
   /// Reports the scenes that have ended since the last look at the log.
   void follow() {
-    const std::string text = read_text(log);
+    std::ifstream in(log, std::ios::binary);
+    in.seekg(std::streamoff(text.size()));
+    text.append(std::istreambuf_iterator<char>(in), {});
     while (!waiting.empty()) {
       const std::size_t scene = waiting.front();
-      const std::string end = fmt::format("litmus end {}", scene);
-      if (text.find(end + " ok\n") != std::string::npos) {
-        waiting.erase(waiting.begin());
-        report(scene, "");
-      } else if (text.find(end + " failed\n") != std::string::npos) {
-        waiting.erase(waiting.begin());
-        report(scene, fmt::format("the script of {} failed in Blender (see {})", scenes[scene].name,
-                                  log.string()));
-      } else {
-        break;
-      }
+      const std::string end = fmt::format("litmus end {} ", scene);
+      const std::size_t at = text.find(end, done);
+      const std::size_t newline = at == std::string::npos ? at : text.find('\n', at);
+      if (newline == std::string::npos) break;
+      const bool ok = text.substr(at + end.size(), newline - at - end.size()) == "ok";
+      done = newline;
+      waiting.erase(waiting.begin());
+      report(scene, ok ? ""
+                       : fmt::format("the script of {} failed in Blender (see {})",
+                                     scenes[scene].name, log.string()));
     }
   }
 };
@@ -188,6 +188,10 @@ ProcessResult run_batch(Batch& batch, int attempt) {
   for (const std::size_t scene : batch.waiting) arguments.push_back(std::to_string(scene));
   batch.command = fmt::format("blender {}", fmt::join(arguments, " "));
   batch.log = batch.options.work / fmt::format("blender-{}.log", attempt);
+  std::error_code ignored;
+  fs::remove(batch.log, ignored);
+  batch.text.clear();
+  batch.done = 0;
   arguments.insert(arguments.begin(), batch.blender.program.string());
   const ProcessResult result = run_process({.arguments = arguments,
                                             .directory = batch.options.work,
@@ -200,19 +204,21 @@ ProcessResult run_batch(Batch& batch, int attempt) {
 
 void render(const Installation& blender, std::span<const Scene> scenes,
             const ReferenceOptions& options, const ResultSink& sink) {
-  Batch batch{blender, scenes, options, sink, {}, {}, {}};
+  Batch batch{blender, scenes, options, sink, {}, {}, {}, {}, 0};
   for (std::size_t i = 0; i < scenes.size(); ++i) batch.waiting.push_back(i);
   fs::create_directories(options.work);
   write_text(options.work / "batch.py", blender_batch());
   prepare(batch);
 
-  // Every turn ends at least one scene: the process's own, or the one it stopped at.
+  // Every turn ends at least one scene. Whatever a scene meets (a crash, the time limit) counts
+  // only if it had a process of its own from the start.
   for (int attempt = 1; !batch.waiting.empty(); ++attempt) {
+    const std::size_t before = batch.waiting.size();
     const ProcessResult result = run_batch(batch, attempt);
-    if (batch.waiting.empty()) break;
+    if (batch.waiting.size() < before) continue;
     const std::string reason = result.ok() ? "Blender ended early" : result.explanation;
     const std::string begun = fmt::format("litmus begin {}\n", batch.waiting.front());
-    const bool at_work = read_text(batch.log).find(begun) != std::string::npos;
+    const bool at_work = batch.text.find(begun) != std::string::npos;
     do {
       const std::size_t scene = batch.waiting.front();
       batch.waiting.erase(batch.waiting.begin());

@@ -10,8 +10,9 @@ namespace litmus {
 /// Blender as a record for the table of drivers.
 ///
 /// One process runs the exported script of each scene in turn (a start takes 1.3 s, a small frame
-/// 10 ms). A script that fails loses its own scene only; if the process itself ends early, the
-/// scene it was busy with has failed and a new process goes on with the next.
+/// 10 ms). A script that fails loses its own scene only; if the process itself ends early or meets
+/// the time limit, a new one goes on with the scene it was busy with, and that scene has failed if
+/// this ends the new one, too.
 ///
 /// Frames are 32-bit float EXR, rendered with `samples` x `samples` pixels for each of the picture
 /// and averaged in double; the frames of an area light are added up in double.
