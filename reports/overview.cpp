@@ -29,7 +29,11 @@ void add(Tally& result, const Comparison& row) {
   result.nonfinite += row.nonfinite;
   if (row.region == "interior") keep_largest(result.interior, row, &Comparison::max_abs);
   if (row.region == "interior") keep_largest(result.mean, row, &Comparison::mean_abs);
-  if (row.region == "edge") keep_largest(result.edge, row, &Comparison::max_abs);
+  if (row.region == "edge") {
+    keep_largest(result.edge, row, &Comparison::max_abs);
+    result.over += row.over_tolerance;
+    result.explained += row.explained;
+  }
   if (row.verdict != "pass" && (!result.failure || excess(row) > excess(*result.failure)))
     result.failure = &row;
 }

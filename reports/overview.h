@@ -14,6 +14,8 @@ struct Tally {
   int rows = 0, passed = 0, failed = 0, skipped = 0;
   int live = 0, stored = 0;
   std::int64_t nonfinite = 0;
+  std::int64_t over = 0,
+               explained = 0;  ///< edge pixels over their tolerance; those with a known cause
   const Comparison* interior = nullptr;  ///< the interior row with the largest max_abs
   const Comparison* mean = nullptr;      ///< the interior row with the largest mean_abs
   const Comparison* edge = nullptr;      ///< the edge row with the largest max_abs

@@ -71,18 +71,21 @@ std::string broken_text(const Study& study) {
 std::string types_text(const Study& study) {
   std::string text =
       "## Worst differences\n\n| light type | reference | | largest, interior | mean, interior | "
-      "largest, edges | passed | failed | skipped |\n|---|---|---|--:|--:|--:|--:|--:|--:|\n";
+      "largest, edges | edge pixels explained | passed | failed | skipped |\n"
+      "|---|---|---|--:|--:|--:|--:|--:|--:|--:|\n";
   for (const std::string& type : light_types_of(study))
     for (const std::string& reference : references_of(study)) {
       const Tally rows = tally(study, [&](const Comparison& row) {
         return row.light_type == type && row.reference == reference;
       });
       if (rows.rows == 0) continue;
-      text += fmt::format(
-          "| {} | {} | {} | {} | {} | {} | {} | {} | {} |\n", cell(type),
-          cell(reference_title(reference)), source_of(rows),
-          number(rows.interior, &Comparison::max_abs), number(rows.mean, &Comparison::mean_abs),
-          number(rows.edge, &Comparison::max_abs), rows.passed, rows.failed, rows.skipped);
+      text += fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |\n", cell(type),
+                          cell(reference_title(reference)), source_of(rows),
+                          number(rows.interior, &Comparison::max_abs),
+                          number(rows.mean, &Comparison::mean_abs),
+                          number(rows.edge, &Comparison::max_abs),
+                          rows.over == 0 ? "" : fmt::format("{} of {}", rows.explained, rows.over),
+                          rows.passed, rows.failed, rows.skipped);
     }
   return text + "\n";
 }

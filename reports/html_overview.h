@@ -1,0 +1,38 @@
+// html_overview.h: the head and the matrix of report.html, as data for the page's template.
+#pragma once
+
+#include <kainjow/mustache.hpp>
+#include <string>
+
+#include "reports/study.h"
+
+namespace litmus {
+
+/// What was compared with what, as one sentence.
+std::string lead_sentence(const Study& study);
+
+/// The headline figures of one reference: its worst interior difference, and what is allowed.
+kainjow::mustache::data reference_tile(const Study& study, const std::string& reference);
+
+/// How long each renderer took, over all scenes.
+kainjow::mustache::data seconds_list(const Study& study);
+
+/// A small picture of each scene with its anchor.
+kainjow::mustache::data thumbnails_data(const Study& study);
+
+/// The failed rows, worst first: at most 40, each light's own rather than what repeats it.
+kainjow::mustache::data failures_data(const Study& study);
+
+/// The renderers that failed, scene by scene.
+kainjow::mustache::data broken_data(const Study& study);
+
+/// The reasons for skipped rows, with their number.
+kainjow::mustache::data skipped_data(const Study& study);
+
+/// The matrix's columns: light types, each with all references.
+kainjow::mustache::data matrix_heads(const Study& study);
+
+/// The matrix's row of one scene, a cell for each column.
+kainjow::mustache::data matrix_row(const Study& study, const Case& one);
+
+}  // namespace litmus
