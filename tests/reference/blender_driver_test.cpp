@@ -206,6 +206,54 @@ TEST_F(BlenderLive, TheNativeExportRendersWithoutComplaint) {
   EXPECT_EQ(read_picture(folder / "native_0005.exr").width, 12);
 }
 
+/// A program in Blender's place. It prints what the batch script prints, and renders nothing.
+struct BlenderStandIn : InFolder {
+  std::vector<ReferenceResult> render(const std::string& per_scene, int scenes) {
+    const std::filesystem::path program = folder / "stand-in";
+    write_text(program,
+               "#!/bin/sh\nwhile [ \"$1\" != -- ]; do shift; done; shift; first=$1\n"
+               "for scene; do echo litmus begin $scene\n" +
+                   per_scene + "\ndone\n");
+    std::filesystem::permissions(program, std::filesystem::perms::owner_all);
+    std::vector<Scene> list;
+    for (int i = 0; i < scenes; ++i) list.push_back(floor_scene("s" + std::to_string(i)));
+    std::vector<ReferenceResult> results;
+    blender_driver().render({program, "0"}, list, {.work = folder / "work"},
+                            [&](ReferenceResult result) { results.push_back(std::move(result)); });
+    return results;
+  }
+};
+
+TEST_F(BlenderStandIn, AnImageThatIsMissingIsAFailure) {
+  const auto results = render("echo litmus end $scene ok", 2);
+  ASSERT_EQ(results.size(), 2u);
+  EXPECT_THAT(results[0].failure, HasSubstr("s0_0001.exr"));
+  EXPECT_THAT(results[1].failure, HasSubstr("s1_0001.exr"));
+}
+
+TEST_F(BlenderStandIn, ACrashIsBlamedOnASceneThatCrashesOnItsOwn) {
+  // Scene 1 crashes behind another one only, scene 2 always.
+  const auto results = render(
+      "[ $scene = 2 ] && exit 7; [ $scene = 1 ] && [ $first != 1 ] && exit 7\n"
+      "echo litmus end $scene failed",
+      4);
+  ASSERT_EQ(results.size(), 4u);
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(results[i].scene, "s" + std::to_string(i));
+  EXPECT_THAT(results[1].failure, HasSubstr("failed in Blender"));
+  EXPECT_THAT(results[2].failure, HasSubstr("exited with 7"));
+  EXPECT_THAT(results[3].failure, HasSubstr("failed in Blender"));
+}
+
+TEST_F(BlenderStandIn, AProgramThatDoesNotStartFailsEveryScene) {
+  std::vector<ReferenceResult> none;
+  blender_driver().render({folder / "nothing", "0"},
+                          std::vector{floor_scene("a"), floor_scene("b")}, {.work = folder},
+                          [&](ReferenceResult result) { none.push_back(std::move(result)); });
+  ASSERT_EQ(none.size(), 2u);
+  EXPECT_NE(none[0].failure, "");
+  EXPECT_NE(none[1].failure, "");
+}
+
 TEST(BlenderDriver, SourceDoesNotDependOnWordsForPeople) {
   Scene scene = sample_scene("one");
   const std::string source = blender_driver().source(scene);
