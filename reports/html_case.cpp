@@ -139,6 +139,7 @@ void add_theirs(data& figures, const Study& study, const Case& one, const CaseLa
   data difference = figure(difference_uri(layer.ours, theirs.picture, layer.edge, inside, border),
                            "litmus \u2212 " + title, true);
   difference.set("scale", short_number(inside));
+  difference.set("quarter", short_number(inside / 4));
   difference.set("edge_scale", short_number(border));
   figures.push_back(difference);
 }

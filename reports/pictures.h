@@ -20,13 +20,14 @@ std::string thumbnail_uri(const Picture& picture, int side);
 
 /// ours - theirs of the channel that differs most, as a share of what is allowed at that pixel
 /// (`interior` or, where `edge` is 1, `border`): blue where ours is darker, red where it is
-/// brighter, white at 0. Shares up to 1 take the lighter half of the scale; a pixel over its
-/// tolerance is in the saturated colour beyond it, and one that is not finite is magenta. The
-/// pictures have one size.
+/// brighter, white at 0. Colours go with the square root of the share; a pixel over its tolerance
+/// is in the darker colour beyond the scale, and one that is not finite is magenta. The pictures
+/// have one size.
 std::string difference_uri(const Picture& ours, const Picture& theirs,
                            std::span<const std::uint8_t> edge, double interior, double border);
 
-/// The same scale as a CSS gradient from -1 (at 0 %) to +1 (at 100 %).
+/// The scale as a CSS gradient, even in the root: shares -1, -1/4, 0, 1/4, 1 at 0, 25, 50, 75, 100
+/// %.
 std::string difference_gradient();
 
 /// The colours beyond the scale as CSS colours.

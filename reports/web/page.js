@@ -25,9 +25,9 @@ let shown = [], index = 0;
 
 function show(next) {
   index = (next + shown.length) % shown.length;
-  const { img, difference } = shown[index];
+  const { img, difference, legend } = shown[index];
   const room = Math.min((innerWidth * 0.92 - 32) / img.naturalWidth,
-                        (innerHeight * 0.92 - 130) / img.naturalHeight);
+                        (innerHeight * 0.92 - 180) / img.naturalHeight);
   // Whole steps keep pixels square; a picture larger than the window shrinks to fit.
   const scale = room >= 1 ? Math.floor(room) : room;
   image.src = img.src;
@@ -36,8 +36,10 @@ function show(next) {
   image.height = img.naturalHeight * scale;
   image.classList.toggle("difference", difference);
   document.getElementById("viewer-title").textContent = img.alt;
-  [...document.getElementById("viewer-tabs").children].forEach((tab, i) =>
-    tab.setAttribute("aria-pressed", String(i === index)));
+  document.getElementById("viewer-legend").replaceChildren(...legend.map((e) => e.cloneNode(true)));
+  const tabs = [...document.getElementById("viewer-tabs").children];
+  tabs.forEach((tab, i) => tab.setAttribute("aria-pressed", String(i === index)));
+  tabs[index].focus();
 }
 
 addEventListener("click", (event) => {
@@ -45,7 +47,9 @@ addEventListener("click", (event) => {
   if (!button) return;
   const figures = [...button.closest(".pictures").querySelectorAll("figure")];
   shown = figures.map((figure) => ({
-    img: figure.querySelector("img"), difference: figure.classList.contains("difference") }));
+    img: figure.querySelector("img"),
+    difference: figure.classList.contains("difference"),
+    legend: [...figure.querySelectorAll("figcaption > *")] }));
   document.getElementById("viewer-tabs").replaceChildren(...shown.map(({ img }, i) => {
     const tab = document.createElement("button");
     tab.type = "button";
