@@ -185,7 +185,7 @@ Study run_study(std::span<const Scene> scenes, const StudyOptions& options) {
                rendering.seconds,
                {},
                own_layers(std::move(rendering))};
-    const Probe around = probe(ours);
+    const Probe around = probe(ours, render_options);
     for (const auto& references : obtained)
       compare_with(entry, references[i], around, study.comparisons);
     study.cases.push_back(std::move(entry));

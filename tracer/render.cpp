@@ -160,16 +160,17 @@ Rendering render(const Scene& scene, const RenderOptions& options) {
   return render_in<double>(scene, options);
 }
 
-Probe probe(const Scene& scene) {
+Probe probe(const Scene& scene, const RenderOptions& options) {
   const auto plan = std::make_shared<const Plan<double>>(lower<double>(scene));
-  return [plan](double x, double y) {
+  return [plan, options](double x, double y) {
     const View<double>& view = plan->view;
     const std::size_t layers = plan->sources.size() + 1;
     const int n = view.samples;
     Seen<double> seen{std::vector<Vec<double>>(layers), std::vector<std::uint64_t>(layers)};
     std::vector<glm::dvec3> colors(layers);
     for (int sample = 0; sample < n * n; ++sample) {
-      const double dx = (sample % n + 0.5) / n - 0.5, dy = (sample / n + 0.5) / n - 0.5;
+      const double dx = (sample % n + 0.5) / n - 0.5 + options.shift_x;
+      const double dy = (sample / n + 0.5) / n - 0.5 + options.shift_y;
       look(*plan, 2 * (x + dx) / view.width - 1, 1 - 2 * (y + dy) / view.height, seen);
       for (std::size_t k = 0; k < layers; ++k)
         colors[k] += to_double(seen.colors[k]) / double(n * n);

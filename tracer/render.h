@@ -34,6 +34,7 @@ Rendering render(const Scene& scene, const RenderOptions& options = {});
 /// What each layer shows in a pixel whose centre is at (x, y), in double: x to the right, y down,
 /// in pixels; (0.5, 0.5) is the first pixel of the picture.
 using Probe = std::function<std::vector<glm::dvec3>(double x, double y)>;
-Probe probe(const Scene& scene);
+/// `options` gives the shift; precision and threads do not count.
+Probe probe(const Scene& scene, const RenderOptions& options = {});
 
 }  // namespace litmus

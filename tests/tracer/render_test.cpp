@@ -279,5 +279,15 @@ TEST(Probe, ShowsWhatThePixelShows) {
   }
 }
 
+TEST(Probe, FollowsTheShift) {
+  const Scene scene = busy_scene();
+  const RenderOptions options{Precision::Double, 0, 0.3, -0.2};
+  const Rendering result = render(scene, options);
+  const Probe around = probe(scene, options);
+  for (int i = 0; i < 48; i += 5) {
+    ASSERT_NEAR(around(i + 0.5, 20.5)[1].x, result.layers[1].picture.at(i, 20).x, 1e-12);
+  }
+}
+
 }  // namespace
 }  // namespace litmus
