@@ -23,6 +23,30 @@ struct Ended {
   std::string text;  ///< standard output and error
 };
 
+/// A scene of a user's own, which no stored image belongs to.
+const std::string kOwnScene = R"(schema = 1
+about = "A floor under the sun."
+[image]
+width = 8
+height = 8
+[camera]
+projection = "orthographic"
+eye = [0, 0, 1]
+target = [0, 0, 0]
+up = [0, 1, 0]
+height = 2
+[[material]]
+name = "matte"
+[[object]]
+shape = "plane"
+point = [0, 0, 0]
+normal = [0, 0, 1]
+material = "matte"
+[[light]]
+type = "directional"
+direction = [0, 0, -1]
+)";
+
 class Program : public testing::Test {
  protected:
   void SetUp() override {
@@ -89,17 +113,19 @@ TEST_F(Program, ListsTheCanonicalScenesForMachines) {
 }
 
 TEST_F(Program, NamesThePlaceAndTheFieldOfAMistakeInAScene) {
-  write("bad.toml",
-        "schema = 1\nabout = \"x\"\n[camera]\nprojection = \"orthographic\"\neye = [0, 0, "
-        "1]\ntarget = [0, 0, 0]\n"
-        "up = [0, 1, 0]\nheight = 2\n[[light]]\ntype = \"spot\"\norigin = [0, 0, 1]\ndirection = "
-        "[0, 0, -1]\n"
-        "cutoff_degrees = 200\nexponent = 1\n");
+  write("bad.toml", kOwnScene + R"(
+[[light]]
+type = "spot"
+origin = [0, 0, 1]
+direction = [0, 0, -1]
+cutoff_degrees = 200
+exponent = 1
+)");
   for (const char* command :
        {"run bad.toml", "render bad.toml -o x.exr", "export bad.toml --to povray"}) {
     const Ended ended = litmus(command);
     EXPECT_EQ(ended.code, 2) << command;
-    EXPECT_NE(ended.text.find("bad.toml:16:"), std::string::npos) << ended.text;
+    EXPECT_NE(ended.text.find("bad.toml:28:"), std::string::npos) << ended.text;
     EXPECT_NE(ended.text.find("cutoff_degrees"), std::string::npos) << ended.text;
   }
   EXPECT_FALSE(fs::exists(folder / "x.exr"));
@@ -187,13 +213,7 @@ TEST_F(Program, SaysThatALiveRunNeedsTheRenderer) {
 }
 
 TEST_F(Program, CallsARunWithNothingToCompareWithIncomplete) {
-  write("own.toml",
-        "schema = 1\nabout = \"x\"\n[camera]\nprojection = \"orthographic\"\neye = [0, 0, "
-        "1]\ntarget = [0, 0, 0]\n"
-        "up = [0, 1, 0]\nheight = 2\n[image]\nwidth = 8\nheight = 8\n[[material]]\nname = "
-        "\"m\"\n[[object]]\n"
-        "shape = \"plane\"\npoint = [0, 0, 0]\nnormal = [0, 0, 1]\nmaterial = \"m\"\n[[light]]\n"
-        "type = \"directional\"\ndirection = [0, 0, -1]\n");
+  write("own.toml", kOwnScene);
   const Ended ended = litmus("run own.toml --out report -q", no_renderers);
   EXPECT_EQ(ended.code, 3) << ended.text;
   for (const auto& row : results("report")["comparisons"]) EXPECT_EQ(row["verdict"], "skipped");
