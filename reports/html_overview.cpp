@@ -32,6 +32,11 @@ std::string short_title(const std::string& reference) {
   return title.substr(0, title.find(' '));
 }
 
+constexpr std::size_t kListedFailures = 10;  // in the page's head; the matrix has them all
+
+// The whole picture and all regions say once more what a light's own row says.
+bool repeats_others(const Comparison& row) { return row.region == "all" || row.light == "all"; }
+
 data failure_data(const Study& study, const Comparison& row) {
   data result;
   result.set("scene", text_data(row.scene));
@@ -124,19 +129,27 @@ data thumbnails_data(const Study& study) {
 // What repeats a light's own row (the whole picture, all regions) is left to the scene's tables,
 // and what has no picture to the renderers that failed.
 data failures_data(const Study& study) {
-  constexpr std::size_t kListed = 40;
   const std::vector<const Comparison*> rows = failures_of(study);
-  const auto repeats = [](const Comparison& row) {
-    return row.region == "all" || row.light == "all";
-  };
-  const bool all_repeat =
-      std::all_of(rows.begin(), rows.end(), [&](const Comparison* row) { return repeats(*row); });
+  const bool all_repeat = std::all_of(rows.begin(), rows.end(),
+                                      [](const Comparison* row) { return repeats_others(*row); });
+  std::vector<const Comparison*> worst;  // one for each light
+  std::map<std::pair<std::string, std::string>, int> counts;
+  for (const Comparison* row : rows) {
+    if ((repeats_others(*row) && !all_repeat) || row->source.empty()) continue;
+    if (++counts[{row->scene, row->light}] == 1) worst.push_back(row);
+  }
   data list{data::type::list};
-  std::size_t count = 0;
-  for (const Comparison* row : rows)
-    if ((all_repeat || !repeats(*row)) && !row->source.empty() && ++count <= kListed)
-      list.push_back(failure_data(study, *row));
-  return list;
+  for (std::size_t i = 0; i < std::min(worst.size(), kListedFailures); ++i) {
+    data failure = failure_data(study, *worst[i]);
+    const int more = counts[{worst[i]->scene, worst[i]->light}] - 1;
+    failure.set("more", more > 0 ? data(counted(more, "row", "rows")) : flag(false));
+    list.push_back(failure);
+  }
+  data result;
+  const std::size_t left = worst.size() - std::min(worst.size(), kListedFailures);
+  result.set("rows", list);
+  result.set("left", left > 0 ? data(counted((long long)left, "light", "lights")) : flag(false));
+  return result;
 }
 
 data broken_data(const Study& study) {

@@ -20,7 +20,8 @@ kainjow::mustache::data seconds_list(const Study& study);
 /// A small picture of each scene with its anchor.
 kainjow::mustache::data thumbnails_data(const Study& study);
 
-/// The failed rows, worst first: at most 40, each light's own rather than what repeats it.
+/// What fails, worst first: "rows", one for each light with the number of its other failed rows as
+/// "more"; and "left", how many lights are not listed.
 kainjow::mustache::data failures_data(const Study& study);
 
 /// The renderers that failed, scene by scene.

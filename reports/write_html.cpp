@@ -103,7 +103,9 @@ data page_data(const Study& study) {
   page.set("tiles", tiles);
   page.set("thumbnails", thumbnails_data(study));
   page.set("seconds_list", seconds_list(study));
-  set_list(page, "failures", failures_data(study));
+  const data failures = failures_data(study);
+  page.set("has_failures", flag(failures.get("rows")->is_non_empty_list()));
+  page.set("failures", failures);
   set_list(page, "broken", broken_data(study));
   set_list(page, "skipped_reasons", skipped_data(study));
   page.set("matrix_heads", matrix_heads(study));

@@ -53,6 +53,16 @@ TEST(Page, ListsTheWorstFailureFirstWithItsReason) {
   EXPECT_THAT(alert, HasSubstr("1 of 2712 pixels are NaN or infinite"));
 }
 
+TEST(Page, ListsALightOnceAndAtMostTenOfThem) {
+  Study study = with_provenance();
+  for (int i = 0; i < 13; ++i)
+    add_case(study, {"scene-" + std::to_string(i), "key", "point", 3e-4, 3e-3}, 24, 16);
+  const std::string alert = between(html(study), "<section class=\"alert\"", "</section>");
+  EXPECT_EQ(count(alert, "<li>"), 10u);
+  EXPECT_THAT(alert, HasSubstr("and 1 row more"));
+  EXPECT_THAT(alert, HasSubstr("and 3 lights more, in the table below"));
+}
+
 TEST(Page, HasAMatrixRowForEverySceneAndACellForEveryTypeAndReference) {
   const std::string matrix = between(html(mixed_study()), "<tbody>", "</tbody>");
   EXPECT_EQ(count(matrix, "<tr"), 7u);
