@@ -125,7 +125,7 @@ exponent = 1
        {"run bad.toml", "render bad.toml -o x.exr", "export bad.toml --to povray"}) {
     const Ended ended = litmus(command);
     EXPECT_EQ(ended.code, 2) << command;
-    EXPECT_NE(ended.text.find("bad.toml:28:"), std::string::npos) << ended.text;
+    EXPECT_NE(ended.text.find("bad.toml:27:"), std::string::npos) << ended.text;
     EXPECT_NE(ended.text.find("cutoff_degrees"), std::string::npos) << ended.text;
   }
   EXPECT_FALSE(fs::exists(folder / "x.exr"));
