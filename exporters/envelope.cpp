@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "exporters/overload.h"
 #include "scene/refusal.h"
 
 namespace litmus {
@@ -19,13 +20,6 @@ namespace {
 constexpr double kSmallest = 0.5, kLargest = 200;  // radii that are left as they are
 constexpr double kOffCentre = 2;                   // the origin may lie this many radii away
 constexpr double kFar = 16;                        // eyes and lights further out do not count
-
-template <class... F>
-struct Overload : F... {
-  using F::operator()...;
-};
-template <class... F>
-Overload(F...) -> Overload<F...>;
 
 struct Extent {
   Point low{std::numeric_limits<double>::infinity()}, high{-low};

@@ -4,43 +4,19 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cmath>
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
 #include <ostream>
 
 #include "exporters/area_grid.h"
 #include "exporters/envelope.h"
+#include "exporters/overload.h"
+#include "exporters/povray_layers.h"
+#include "exporters/povray_limits.h"
 #include "exporters/povray_parts.h"
 #include "exporters/text.h"
 
 namespace litmus {
 namespace povray {
 namespace {
-
-// A filter round a lamp. It must exceed POV-Ray's shadow tolerance (1e-3), or it is ignored, and be
-// small, because rays to other samples pass through it. Far lamps get a larger one: a sphere at
-// distance d is hit to about 1e-16 d^2.
-double filter_radius(const Point& lamp) { return std::max(2e-3, 2e-5 * glm::length(lamp)); }
-
-// POV-Ray ignores occluders within 1e-3 of a surface, which shows at the terminator of meshes where
-// the scene is 10 across, and no more from 100 on. So the file's unit is a small one: the scene's
-// radius is 256..512 of them, and its numbers stay the author's.
-double unit_of(const Scene& scene) {
-  const double radius = extent_radius(scene);
-  return radius > 0 ? std::ldexp(1.0, 8 - std::ilogb(radius)) : 32;
-}
-
-// Beyond the light of parallel rays, nothing casts a shadow; POV-Ray ends at 1e7.
-constexpr double kSunDistance = 1e5;
-
-// The medium fills a box of this half size. Light from further away is not attenuated all the way.
-constexpr double kMediumReach = 1e5;
-
-bool has_medium(const Light& light) {
-  const Attenuation a = attenuation_of(light);
-  return a.linear > 0 && a.quadratic > 0;
-}
 
 // All lights can shine at once if none needs a medium, which would dim the others' light too, and
 // one proportion of specular to diffuse serves all.
@@ -137,33 +113,42 @@ void write_spot(const Light& light, const SpotLight& spot, double unit, std::ost
               unit, out);
 }
 
+// "#declare NAME = array[n] {...}"
+void write_points(const std::string& name, const std::vector<Point>& points,
+                  const std::string& remark, std::ostream& out) {
+  out << fmt::format("  #declare {} = array[{}] {{  // {}\n", name, points.size(), remark);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    out << "    " << vector_text(points[i]) << (i + 1 < points.size() ? ",\n" : "\n  }\n");
+}
+
+// One of each: two spheres in one place are none to POV-Ray.
+std::vector<Point> distinct(const std::vector<Point>& points) {
+  std::vector<Point> result;
+  for (const Point& p : points)
+    if (std::find(result.begin(), result.end(), p) == result.end()) result.push_back(p);
+  return result;
+}
+
 void write_area(const Light& light, const AreaLight& area, const std::string& name, double unit,
                 std::ostream& out) {
   const std::vector<Point> samples = area_samples(area);
-  const std::size_t count = samples.size();
-  out << fmt::format("  #declare {}_Samples = array[{}] {{  // {} columns, {} rows\n", name, count,
-                     area.columns, area.rows);
-  for (std::size_t i = 0; i < count; ++i)
-    out << "    " << vector_text(samples[i]) << (i + 1 < count ? ",\n" : "\n  }\n");
-  const std::string loop = fmt::format("#for (I, 0, {})", count - 1);
+  write_points(name + "_Samples", samples,
+               fmt::format("{} columns, {} rows", area.columns, area.rows), out);
   if (has_medium(light))
     out << fmt::format("  #declare Radius = {};\n",
                        number(filter_radius(unit * area.point.origin)));
-  out << fmt::format("  {} light_source {{ {}_Samples[I]*Unit {} }} #end\n", loop, name,
-                     lamp_color(light, int(count)));
-  if (has_medium(light))
-    out << fmt::format(
-        "  difference {{\n    object {{ Space }}\n    {} sphere {{ {}_Samples[I]*Unit, Radius "
-        "pigment {{ rgbt 1 }} }} #end\n    {}\n  }}\n",
-        loop, name, medium(light));
+  const auto loop = [](std::size_t count) { return fmt::format("#for (I, 0, {})", count - 1); };
+  out << fmt::format("  {} light_source {{ {}_Samples[I]*Unit {} }} #end\n", loop(samples.size()),
+                     name, lamp_color(light, int(samples.size())));
+  if (!has_medium(light)) return;
+  const std::vector<Point> places = distinct(samples);
+  const bool same = places.size() == samples.size();
+  if (!same) write_points(name + "_Places", places, "without repetition", out);
+  out << fmt::format(
+      "  difference {{\n    object {{ Space }}\n    {} sphere {{ {}_{}[I]*Unit, Radius pigment {{ "
+      "rgbt 1 }} }} #end\n    {}\n  }}\n",
+      loop(places.size()), name, same ? "Samples" : "Places", medium(light));
 }
-
-template <class... F>
-struct Overload : F... {
-  using F::operator()...;
-};
-template <class... F>
-Overload(F...) -> Overload<F...>;
 
 void write_light(const Light& light, const std::string& name, double unit, std::ostream& out) {
   out << fmt::format("\n#if (Shines({}))  // {}\n", name, light_type(light));
@@ -202,7 +187,5 @@ void write_povray(const Scene& original, std::ostream& out) {
   for (std::size_t i = 0; i < scene.lights.size(); ++i)
     write_light(scene.lights[i], names.lights[i], unit, out);
 }
-
-std::vector<std::string> povray_caveats(const Scene&) { return {}; }
 
 }  // namespace litmus

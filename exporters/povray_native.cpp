@@ -7,8 +7,10 @@
 
 #include "exporters/area_grid.h"
 #include "exporters/envelope.h"
+#include "exporters/overload.h"
 #include "exporters/povray.h"
 #include "exporters/povray_fit.h"
+#include "exporters/povray_layers.h"
 #include "exporters/povray_parts.h"
 #include "exporters/text.h"
 
@@ -16,18 +18,11 @@ namespace litmus {
 namespace povray {
 namespace {
 
-double grey(const Color& c) { return (c.r + c.g + c.b) / 3; }
 bool is_grey(const Color& c) { return c.r == c.g && c.g == c.b; }
+double grey(const Color& c) { return is_grey(c) ? c.r : (c.r + c.g + c.b) / 3; }
 
 // Fitted numbers: more digits mean nothing.
 std::string rounded(double value) { return fmt::format("{:.5g}", value); }
-
-template <class... F>
-struct Overload : F... {
-  using F::operator()...;
-};
-template <class... F>
-Overload(F...) -> Overload<F...>;
 
 // Distances up to this matter for attenuation.
 double reach(const Scene& scene) { return 2 * extent_radius(scene); }
@@ -46,9 +41,8 @@ std::string fade_text(const Scene& scene, const Light& light) {
 std::string color_text(const Scene& scene, const Light& light) {
   const std::string color = fmt::format("rgb Gain*{}", vector_text(diffuse_power(light)));
   if (!fades(light)) return color;
-  // POV-Ray's fading is twice as bright near the light.
-  const double factor = 2 * fit_fade(attenuation_of(light), reach(scene)).factor;
-  return fmt::format("{} * {}", color, rounded(factor));
+  return fmt::format("{} * {}", color,
+                     rounded(fit_fade(attenuation_of(light), reach(scene)).factor));
 }
 
 std::string area_text(const AreaLight& area) {
@@ -129,7 +123,7 @@ void note_light(const Scene& scene, const Light& light, std::vector<std::string>
   if (area && scene.shadows && area->columns * area->rows > 1)
     note(
         "an area_light multiplies the mean visibility by the mean light instead of averaging the "
-        "products; exact without an occluder, up to a few hundredths off in penumbrae.");
+        "products; exact without an occluder, up to a tenth of the intensity off in penumbrae.");
   if (light.diffuse != light.specular)
     note("highlights have the light's diffuse colour: POV-Ray's lights have one colour.");
 }
@@ -137,6 +131,13 @@ void note_light(const Scene& scene, const Light& light, std::vector<std::string>
 std::vector<std::string> notes_for(const Scene& scene) {
   std::vector<std::string> notes;
   for (const Light& light : scene.lights) note_light(scene, light, notes);
+  for (const Object& object : scene.objects)
+    if (scene.shadows && std::holds_alternative<Mesh>(object.shape))
+      notes.push_back(
+          fmt::format("\"{}\": single pixels at its terminator and edges, because a "
+                      "mesh2 has single precision and shadows begin 0.001 from a "
+                      "surface.",
+                      object.name));
   for (const Material& m : scene.materials) {
     if (!is_grey(m.specular))
       notes.push_back(fmt::format("\"{}\": highlights are not tinted by the material.", m.name));
