@@ -42,7 +42,7 @@ void add_export(CLI::App& program, int& exit_code) {
   for (const Exporter& exporter : exporters()) names.push_back(exporter.name);
   CLI::App* command = program.add_subcommand("export", "Write a scene for another renderer");
   command->add_option("scene", options->scene, "Scene file or canonical name")->required();
-  command->add_option("--to", options->to, "povray or blender")
+  command->add_option("--to", options->to, "povray, blender, or json (for any other renderer)")
       ->required()
       ->check(CLI::IsMember(names));
   command->add_option("-o,--output", options->output, "Folder to write into")

@@ -1,4 +1,4 @@
-// json_schema.h: the part of JSON Schema that results.schema.json uses.
+// json_schema.h: the part of JSON Schema that the published schemas use.
 #pragma once
 
 #include <fmt/format.h>
@@ -13,12 +13,13 @@ inline bool has_type(const nlohmann::json& value, const std::string& type) {
   if (type == "object") return value.is_object();
   if (type == "array") return value.is_array();
   if (type == "string") return value.is_string();
+  if (type == "boolean") return value.is_boolean();
   if (type == "integer") return value.is_number_integer();
   return type == "number" && value.is_number();
 }
 
-/// What of the value does not match: type, enum, minimum, minItems, maxItems, items, required,
-/// properties, additionalProperties.
+/// What of the value does not match: type, enum, minimum, exclusiveMinimum, minItems, maxItems,
+/// items, required, properties, additionalProperties, and allOf with if and then.
 inline void check_schema(const nlohmann::json& schema, const nlohmann::json& value,
                          const std::string& at, std::vector<std::string>& errors) {
   if (schema.contains("type") && !has_type(value, schema["type"])) {
@@ -32,6 +33,14 @@ inline void check_schema(const nlohmann::json& schema, const nlohmann::json& val
   }
   if (schema.contains("minimum") && value.get<double>() < schema["minimum"].get<double>())
     errors.push_back(at + ": below the minimum");
+  if (schema.contains("exclusiveMinimum") &&
+      value.get<double>() <= schema["exclusiveMinimum"].get<double>())
+    errors.push_back(at + ": not above the exclusive minimum");
+  for (const auto& part : schema.value("allOf", nlohmann::json::array())) {
+    std::vector<std::string> unlike;
+    check_schema(part.at("if"), value, at, unlike);
+    if (unlike.empty()) check_schema(part.at("then"), value, at, errors);
+  }
   if (value.is_array()) {
     if (schema.contains("minItems") && value.size() < schema["minItems"].get<std::size_t>())
       errors.push_back(at + ": too few items");
