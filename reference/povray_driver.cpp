@@ -204,7 +204,9 @@ void render(const Installation& povray, std::span<const Scene> scenes,
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return work(scenes[a]) > work(scenes[b]); });
-  const int count = int(scenes.size()), threads = std::max(options.threads, 1);
+  const int count = int(scenes.size());
+  const int threads = options.threads > 0 ? options.threads
+                                          : int(std::max(std::thread::hardware_concurrency(), 1u));
   const int workers = std::min(count, threads * kProcessesPerThread);
   const int threads_each = std::max(threads / count, 1);
 
