@@ -97,6 +97,14 @@ std::string_view name_of(Region region) {
       return "interior";
     case Region::Edge:
       return "edge";
+    case Region::Lit:
+      return "lit";
+    case Region::Penumbra:
+      return "penumbra";
+    case Region::Umbra:
+      return "umbra";
+    case Region::Highlight:
+      return "highlight";
     case Region::All:
       break;
   }
@@ -104,14 +112,14 @@ std::string_view name_of(Region region) {
 }
 
 Difference difference(const Picture& ours, const Picture& theirs,
-                      std::span<const std::uint8_t> edge, Region region, double tolerance) {
-  check_sizes(ours, theirs, edge.size());
+                      std::span<const std::uint8_t> members, double tolerance) {
+  check_sizes(ours, theirs, members.size());
   Difference result;
   Sums sums;
   for (int y = 0; y < ours.height; ++y)
     for (int x = 0; x < ours.width; ++x) {
       const std::size_t i = std::size_t(y) * std::size_t(ours.width) + std::size_t(x);
-      if (!is_in(region, !edge.empty() && edge[i] != 0)) continue;
+      if (members.empty() || members[i] == 0) continue;
       ++result.pixels;
       if (is_finite(ours.pixels[i]) && is_finite(theirs.pixels[i]))
         add(result, sums, ours.pixels[i], theirs.pixels[i], x, y, tolerance);
@@ -120,6 +128,15 @@ Difference difference(const Picture& ours, const Picture& theirs,
     }
   finish(result, sums);
   return result;
+}
+
+Difference difference(const Picture& ours, const Picture& theirs,
+                      std::span<const std::uint8_t> edge, Region region, double tolerance) {
+  check_sizes(ours, theirs, edge.size());
+  std::vector<std::uint8_t> members(ours.pixels.size());
+  for (std::size_t i = 0; i < members.size(); ++i)
+    members[i] = is_in(region, !edge.empty() && edge[i] != 0);
+  return difference(ours, theirs, members, tolerance);
 }
 
 }  // namespace litmus

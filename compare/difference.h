@@ -12,9 +12,10 @@
 
 namespace litmus {
 
-enum class Region { Interior, Edge, All };
+/// Edge and interior share the picture (regions.h); the others are parts of the interior.
+enum class Region { Interior, Edge, All, Lit, Penumbra, Umbra, Highlight };
 
-/// "interior", "edge" or "all".
+/// "interior", "edge", "all", "lit", "penumbra", "umbra" or "highlight".
 std::string_view name_of(Region region);
 
 /// Two pictures that cannot be compared because their sizes differ.
@@ -46,12 +47,17 @@ struct Difference {
 /// Below this, a relative difference is measured against the floor itself.
 inline constexpr double kRelativeFloor = 1e-3;
 
-/// Compares the pixels of one region. `edge` is 1 where a pixel is an edge, width * height; it may
-/// be empty where no pixel is. A region without pixels gives zeros everywhere. Values up to 1e308
-/// and down to 1e-308 neither overflow nor underflow. Throws SizeMismatch if the pictures (or the
-/// mask) differ in size.
+/// Compares the pixels of the interior, the edge or all. `edge` is 1 where a pixel is an edge,
+/// width
+/// * height; it may be empty where no pixel is. A region without pixels gives zeros everywhere.
+/// Values up to 1e308 and down to 1e-308 neither overflow nor underflow. Throws SizeMismatch if the
+/// pictures (or the mask) differ in size.
 Difference difference(const Picture& ours, const Picture& theirs,
                       std::span<const std::uint8_t> edge, Region region, double tolerance);
+
+/// The same over the pixels where `members` (as by region_mask) is not 0.
+Difference difference(const Picture& ours, const Picture& theirs,
+                      std::span<const std::uint8_t> members, double tolerance);
 
 /// One figure of a Difference, or of any row with the same members.
 template <class Row>

@@ -1,4 +1,4 @@
-// regions.cpp: the edge mask.
+// regions.cpp: the edge mask, and the regions of a light.
 #include "compare/regions.h"
 
 #include <algorithm>
@@ -17,6 +17,22 @@ bool differs_nearby(const Signature& signature, int x, int y) {
   return false;
 }
 
+bool belongs(std::uint8_t flags, Region region) {
+  const int shadow = flags & (kLit | kPenumbra | kUmbra);
+  switch (region) {
+    case Region::Lit:
+      return shadow == kLit;
+    case Region::Umbra:
+      return shadow == kUmbra;
+    case Region::Penumbra:
+      return shadow != 0 && shadow != kLit && shadow != kUmbra;
+    case Region::Highlight:
+      return (flags & kHighlight) != 0;
+    default:
+      return false;
+  }
+}
+
 }  // namespace
 
 std::vector<std::uint8_t> edge_mask(const Signature& signature) {
@@ -24,6 +40,15 @@ std::vector<std::uint8_t> edge_mask(const Signature& signature) {
   mask.reserve(signature.values.size());
   for (int y = 0; y < signature.height; ++y)
     for (int x = 0; x < signature.width; ++x) mask.push_back(differs_nearby(signature, x, y));
+  return mask;
+}
+
+std::vector<std::uint8_t> region_mask(std::span<const std::uint8_t> flags,
+                                      std::span<const std::uint8_t> edge, Region region) {
+  std::vector<std::uint8_t> mask;
+  mask.reserve(flags.size());
+  for (std::size_t i = 0; i < flags.size(); ++i)
+    mask.push_back(edge[i] == 0 && belongs(flags[i], region));
   return mask;
 }
 

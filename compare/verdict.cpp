@@ -1,4 +1,4 @@
-// verdict.cpp: the table of tolerances and the gates.
+// verdict.cpp: the gates.
 #include "compare/verdict.h"
 
 #include <fmt/format.h>
@@ -6,40 +6,7 @@
 #include <array>
 #include <vector>
 
-#include "scene/refusal.h"
-
 namespace litmus {
-namespace {
-
-constexpr std::array<NamedTolerance, 4> kTolerances{{
-    {"povray",
-     Region::Interior,
-     {2e-6, 1e-7, "16-bit PNG with a residual pass resolves 2^-32; POV-Ray's own epsilons remain"}},
-    {"povray",
-     Region::Edge,
-     {1e-3, 1e-3, "the two tracers offset their shadow rays differently", true}},
-    {"blender",
-     Region::Interior,
-     {2e-5, 5e-7,
-      "Cycles computes in single precision: a rounding of 6e-8 grows along the shading"}},
-    {"blender",
-     Region::Edge,
-     {1e-3, 1e-3, "single-precision intersections move an edge by a part of a pixel", true}},
-}};
-
-}  // namespace
-
-std::span<const NamedTolerance> tolerances() { return kTolerances; }
-
-Tolerance find_tolerance(std::string_view reference, Region region) {
-  const Region judged = region == Region::Interior ? Region::Interior : Region::Edge;
-  for (const NamedTolerance& row : kTolerances)
-    if (row.reference == reference && row.region == judged) return row.tolerance;
-  throw Refusal(
-      fmt::format("there is no tolerance for the reference '{}'; there is one for povray "
-                  "and one for blender",
-                  reference));
-}
 
 Verdict judge(const Difference& d, const Tolerance& tolerance, std::int64_t explained) {
   std::vector<std::string> failures;
@@ -63,10 +30,15 @@ Verdict judge(const Difference& d, const Tolerance& tolerance, std::int64_t expl
 }
 
 Verdict combine(const Verdict& interior, const Verdict& edge) {
-  if (interior.pass && edge.pass) return {true, ""};
-  if (interior.pass) return {false, "edge: " + edge.reason};
-  if (edge.pass) return {false, "interior: " + interior.reason};
-  return {false, "interior: " + interior.reason + "; edge: " + edge.reason};
+  return combine(
+      std::array{RegionVerdict{Region::Interior, interior}, RegionVerdict{Region::Edge, edge}});
+}
+
+Verdict combine(std::span<const RegionVerdict> regions) {
+  std::vector<std::string> failures;
+  for (const auto& [region, verdict] : regions)
+    if (!verdict.pass) failures.push_back(fmt::format("{}: {}", name_of(region), verdict.reason));
+  return {failures.empty(), fmt::format("{}", fmt::join(failures, "; "))};
 }
 
 }  // namespace litmus

@@ -1,4 +1,4 @@
-// verdict.h: what a difference may be, and whether it is.
+// verdict.h: whether a difference is within its tolerance.
 #pragma once
 
 #include <cstdint>
@@ -7,29 +7,9 @@
 #include <string_view>
 
 #include "compare/difference.h"
+#include "compare/tolerances.h"
 
 namespace litmus {
-
-/// The largest figures that pass. They are absolute, in linear RGB where a fully lit white surface
-/// is 1.
-struct Tolerance {
-  double max_abs = 0, mean_abs = 0;
-  std::string_view reason;    ///< why these figures: what they have to cover
-  bool may_be_empty = false;  ///< a region without pixels passes
-};
-
-struct NamedTolerance {
-  std::string_view reference;  ///< "povray", "blender"
-  Region region;               ///< Interior or Edge
-  Tolerance tolerance;
-};
-
-/// All tolerances: the one place to review.
-std::span<const NamedTolerance> tolerances();
-
-/// The tolerance of a reference in a region. Region::All is held to the edge's, and is not judged
-/// by itself (see `combine`). Throws Refusal if there is no such reference.
-Tolerance find_tolerance(std::string_view reference, Region region);
 
 struct Verdict {
   bool pass = false;
@@ -44,5 +24,12 @@ Verdict judge(const Difference& difference, const Tolerance& tolerance, std::int
 
 /// The verdict on the whole picture: both regions pass.
 Verdict combine(const Verdict& interior, const Verdict& edge);
+
+/// The same over any regions; the reason names those that fail.
+struct RegionVerdict {
+  Region region;
+  Verdict verdict;
+};
+Verdict combine(std::span<const RegionVerdict> regions);
 
 }  // namespace litmus

@@ -35,6 +35,11 @@ using Layers = std::vector<Layer>;
 /// The whole picture: the layers added up in order. All layers have one size.
 Picture sum(const Layers& layers);
 
+/// What a light does to the samples of a pixel, as bits that are or-ed over its samples. Of the lamps
+/// that would light a sample's surface, none is hidden (lit), some are (penumbra), or all are
+/// (umbra); no bit where no lamp would. Highlight: (h.n)^ns of a lamp in view is above 1/2.
+inline constexpr std::uint8_t kLit = 1, kPenumbra = 2, kUmbra = 4, kHighlight = 8;
+
 /// A number per pixel that changes wherever a layer may be discontinuous: the object seen, what
 /// each light sample sees of it, which side faces the sample, and whether it is inside the cone.
 struct Signature {

@@ -197,5 +197,14 @@ TEST(Metrics, HaveDifferentNames) {
     EXPECT_TRUE(names.insert(metric.name).second) << metric.name;
 }
 
+TEST(Difference, OfMembersLooksAtNoOtherPixel) {
+  Picture ours(3, 1), theirs(3, 1);
+  ours.at(0, 0) = glm::dvec3(5), ours.at(1, 0) = glm::dvec3(0.5);
+  const Difference d = difference(ours, theirs, std::vector<std::uint8_t>{0, 1, 1}, 0.1);
+  EXPECT_EQ(d.pixels, 2);
+  EXPECT_EQ(d.max_abs, 0.5);
+  EXPECT_EQ(d.over_tolerance, 1);
+}
+
 }  // namespace
 }  // namespace litmus

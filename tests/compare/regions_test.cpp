@@ -1,4 +1,4 @@
-// regions_test.cpp: the edge mask.
+// regions_test.cpp: the edge mask, and the regions of a light.
 #include "compare/regions.h"
 
 #include <gmock/gmock.h>
@@ -40,6 +40,27 @@ TEST(EdgeMask, SeesADifferenceInTheHighestBit) {
 TEST(EdgeMask, OfOnePixelIsZero) { EXPECT_THAT(edge_mask({1, 1, {5}}), ElementsAre(0)); }
 
 TEST(EdgeMask, OfNothingIsNothing) { EXPECT_TRUE(edge_mask({}).empty()); }
+
+TEST(RegionMask, TellsLitPenumbraAndUmbraApart) {
+  const std::vector<std::uint8_t> flags{0, kLit, kPenumbra, kUmbra, kLit | kUmbra};
+  const std::vector<std::uint8_t> edge(5);
+  EXPECT_THAT(region_mask(flags, edge, Region::Lit), ElementsAre(0, 1, 0, 0, 0));
+  EXPECT_THAT(region_mask(flags, edge, Region::Penumbra), ElementsAre(0, 0, 1, 0, 1));
+  EXPECT_THAT(region_mask(flags, edge, Region::Umbra), ElementsAre(0, 0, 0, 1, 0));
+}
+
+TEST(RegionMask, OfTheHighlightOverlapsTheOthers) {
+  const std::vector<std::uint8_t> flags{kLit, kLit | kHighlight, kPenumbra | kHighlight};
+  const std::vector<std::uint8_t> edge(3);
+  EXPECT_THAT(region_mask(flags, edge, Region::Highlight), ElementsAre(0, 1, 1));
+  EXPECT_THAT(region_mask(flags, edge, Region::Lit), ElementsAre(1, 1, 0));
+}
+
+TEST(RegionMask, LeavesOutEdges) {
+  EXPECT_THAT(region_mask(std::vector<std::uint8_t>{kLit, kLit}, std::vector<std::uint8_t>{0, 1},
+                          Region::Lit),
+              ElementsAre(1, 0));
+}
 
 }  // namespace
 }  // namespace litmus

@@ -6,8 +6,6 @@
 
 #include <limits>
 
-#include "scene/refusal.h"
-
 namespace litmus {
 namespace {
 using ::testing::HasSubstr;
@@ -89,21 +87,13 @@ TEST(Combine, PassesWhereBothPassAndNamesTheRegionThatFails) {
   EXPECT_FALSE(combine({false, "x"}, {true, ""}).pass);
 }
 
-TEST(Tolerances, AreThePublishedOnesAndGiveTheirReason) {
-  EXPECT_EQ(find_tolerance("povray", Region::Interior).max_abs, 2e-6);
-  EXPECT_EQ(find_tolerance("povray", Region::Interior).mean_abs, 1e-7);
-  EXPECT_EQ(find_tolerance("blender", Region::Interior).max_abs, 2e-5);
-  EXPECT_EQ(find_tolerance("blender", Region::Interior).mean_abs, 5e-7);
-  for (const std::string_view reference : {"povray", "blender"}) {
-    EXPECT_EQ(find_tolerance(reference, Region::Edge).max_abs, 1e-3);
-    EXPECT_EQ(find_tolerance(reference, Region::All).max_abs, 1e-3);
-    EXPECT_FALSE(find_tolerance(reference, Region::Interior).may_be_empty);
-  }
-  for (const NamedTolerance& row : tolerances()) EXPECT_FALSE(row.tolerance.reason.empty());
-}
-
-TEST(Tolerances, RefuseAnUnknownReference) {
-  EXPECT_THROW(find_tolerance("mitsuba", Region::Interior), Refusal);
+TEST(Combine, NamesEachRegionThatFails) {
+  const RegionVerdict regions[] = {{Region::Interior, {true, ""}},
+                                   {Region::Umbra, {false, "x"}},
+                                   {Region::Highlight, {false, "y"}}};
+  EXPECT_FALSE(combine(regions).pass);
+  EXPECT_EQ(combine(regions).reason, "umbra: x; highlight: y");
+  EXPECT_TRUE(combine(std::span(regions).first(1)).pass);
 }
 
 }  // namespace
