@@ -2,10 +2,12 @@
 #include <cstdio>
 
 #include "cli/commands.h"
+#include "reference/process.h"
 #include "scene/refusal.h"
 
 int main(int argc, char** argv) {
   using namespace litmus;
+  end_processes_on_interrupt();
   CLI::App program{
       "litmus compares the lighting and shadows of small scenes with POV-Ray and Blender, light by "
       "light.\n"
