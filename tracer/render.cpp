@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 
+#include "tracer/camera.h"
 #include "tracer/light_terms.h"
 
 namespace litmus {
@@ -19,38 +20,12 @@ template <Real R>
 struct Seen {
   std::vector<Vec<Sum<R>>> colors;
   std::vector<std::uint64_t> signatures;
+  std::vector<std::uint8_t> flags;
 };
-
-/// A ray through the point (x, y) of the picture, both from -1 (left, bottom) to 1.
-template <Real R>
-Ray<R> camera_ray(const View<R>& view, R x, R y) {
-  const Vec<R> across = x * view.right + y * view.up;
-  if (view.orthographic) return {view.eye + across, view.forward};
-  return {view.eye, view.forward + across};
-}
 
 template <Real R>
 Vec<Sum<R>> wide(const Vec<R>& v) {
   return {Sum<R>(v.x), Sum<R>(v.y), Sum<R>(v.z)};
-}
-
-/// Slide 5 for one light: kd Id D + ks Is S per channel; the sample code adds A for each lamp in
-/// view and takes the light's diffuse colour for both terms.
-template <Real R>
-Vec<Sum<R>> light_color(const Plan<R>& plan, const Source<R>& source, const Finish<R>& finish,
-                        const LightTerms<R>& terms) {
-  const Terms<Sum<R>> factors{terms.diffuse, terms.specular};
-  const Vec<R>& highlight = plan.sample_code ? source.diffuse : source.specular;
-  const auto channel = [&](R kd, R id, R ks, R is, R ka, R ia) {
-    const Sum<R> light = reflected<Sum<R>>(factors, Sum<R>(kd), Sum<R>(id), Sum<R>(ks), Sum<R>(is));
-    return plan.sample_code ? light + terms.unoccluded * (Sum<R>(ka) * Sum<R>(ia)) : light;
-  };
-  const Vec<R>& a = finish.ambient;
-  const Vec<R>& d = finish.diffuse;
-  const Vec<R>& s = finish.specular;
-  return {channel(d.x, source.diffuse.x, s.x, highlight.x, a.x, plan.ambient.x),
-          channel(d.y, source.diffuse.y, s.y, highlight.y, a.y, plan.ambient.y),
-          channel(d.z, source.diffuse.z, s.z, highlight.z, a.z, plan.ambient.z)};
 }
 
 template <Real R>
@@ -59,6 +34,7 @@ void look(const Plan<R>& plan, R x, R y, Seen<R>& seen) {
   const Hit<R> hit = closest_hit(plan, ray);
   std::fill(seen.colors.begin(), seen.colors.end(), Vec<Sum<R>>{});
   std::fill(seen.signatures.begin(), seen.signatures.end(), std::uint64_t(hit.object + 1));
+  std::fill(seen.flags.begin(), seen.flags.end(), std::uint8_t(0));
   if (hit.kind == Kind::None) return;
   const Vec<R> eye = -normalize(ray.direction);
   const Finish<R>& finish = plan.finishes[std::size_t(hit.object)];
@@ -67,14 +43,8 @@ void look(const Plan<R>& plan, R x, R y, Seen<R>& seen) {
     const LightTerms<R> terms = light_terms(plan, plan.sources[i], hit, eye);
     seen.colors[i + 1] = light_color(plan, plan.sources[i], finish, terms);
     seen.signatures[i + 1] = mix(seen.signatures[i + 1], terms.signature);
+    seen.flags[i + 1] = terms.flags;
   }
-}
-
-/// The position of sample i of `count` along a side, from -1 to 1; antisymmetric in i without
-/// rounding.
-template <Real R>
-R screen(int i, int count, R shift) {
-  return (R(2 * i + 1 - count) + shift) / R(count);
 }
 
 template <Real R>
@@ -92,6 +62,7 @@ Rendering blank(const Scene& scene) {
   const Signature signature{scene.width, scene.height,
                             std::vector<std::uint64_t>(result.whole.pixels.size())};
   result.signatures.assign(result.layers.size(), signature);
+  result.flags.assign(result.layers.size(), std::vector<std::uint8_t>(signature.values.size()));
   return result;
 }
 
@@ -101,7 +72,8 @@ void render_row(const Plan<R>& plan, const RenderOptions& options, int y, Render
   const int across = plan.view.width * n, down = plan.view.height * n;
   const R shift_x = R(2 * options.shift_x * n), shift_y = R(2 * options.shift_y * n);
   const std::size_t layers = result.layers.size();
-  Seen<R> seen{std::vector<Vec<Sum<R>>>(layers), std::vector<std::uint64_t>(layers)};
+  Seen<R> seen{std::vector<Vec<Sum<R>>>(layers), std::vector<std::uint64_t>(layers),
+               std::vector<std::uint8_t>(layers)};
   std::vector<Vec<Sum<R>>> totals(layers);
   for (int x = 0; x < plan.view.width; ++x) {
     std::fill(totals.begin(), totals.end(), Vec<Sum<R>>{});
@@ -115,6 +87,7 @@ void render_row(const Plan<R>& plan, const RenderOptions& options, int y, Render
           std::uint64_t& signature =
               result.signatures[k].values[std::size_t(y * plan.view.width + x)];
           signature = mix(signature, seen.signatures[k]);
+          result.flags[k][std::size_t(y * plan.view.width + x)] |= seen.flags[k];
         }
       }
     }
@@ -166,7 +139,8 @@ Probe probe(const Scene& scene, const RenderOptions& options) {
     const View<double>& view = plan->view;
     const std::size_t layers = plan->sources.size() + 1;
     const int n = view.samples;
-    Seen<double> seen{std::vector<Vec<double>>(layers), std::vector<std::uint64_t>(layers)};
+    Seen<double> seen{std::vector<Vec<double>>(layers), std::vector<std::uint64_t>(layers),
+                      std::vector<std::uint8_t>(layers)};
     std::vector<glm::dvec3> colors(layers);
     for (int sample = 0; sample < n * n; ++sample) {
       const double dx = (sample % n + 0.5) / n - 0.5 + options.shift_x;

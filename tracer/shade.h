@@ -14,13 +14,19 @@ struct Terms {
   R specular{};  ///< S = visibility * attenuation * (h.n)^ns
 };
 
-/// (h.n)^ns with h = normalize(l + e), slide 5; 0 where h.n <= 0 and for e = -l. All vectors are
-/// unit. As exp(ns log1p(-|n - h|^2 / 2)), which never exceeds 1 and keeps its digits for a large
-/// ns: near the peak h.n itself has lost them.
+/// h = normalize(l + e), slide 5, of two unit vectors, with the length of l + e; zero for e = -l.
+template <Real R>
+Direction<R> half_vector(const Vec<R>& l, const Vec<R>& e) {
+  return direction_of(l + e);
+}
+
+/// (h.n)^ns, slide 5; 0 where h.n <= 0 and for e = -l. All vectors are unit. As
+/// exp(ns log1p(-|n - h|^2 / 2)), which never exceeds 1 and keeps its digits for a large ns: near
+/// the peak h.n itself has lost them.
 template <Real R>
 R specular_power(const Vec<R>& l, const Vec<R>& e, const Vec<R>& n, R shininess) {
   using std::exp, std::log1p;
-  const Direction<R> half = direction_of(l + e);
+  const Direction<R> half = half_vector(l, e);
   if (half.length == 0 || !(dot(half.unit, n) > 0)) return 0;
   const Vec<R> apart = n - half.unit;
   const R shortfall = dot(apart, apart) / 2;

@@ -143,10 +143,11 @@ R own_exit(const Plan<R>& plan, const Hit<R>& hit, const Ray<R>& ray) {
   return outward >= 0 ? R(-1) : intersect(plan.boxes[std::size_t(hit.index)].shape, ray).leave;
 }
 
-/// Whether anything lies strictly between a hit and a lamp. The surface hit is left out where it is
-/// flat; where it is a sphere or a box, only its far side can be in the way.
+/// The first object found strictly between a hit and a lamp, not always the nearest: an index into
+/// Scene::objects, -1 if there is none. The surface hit is left out where it is flat; where it is a
+/// sphere or a box, only its far side can be in the way.
 template <Real R>
-bool occluded(const Plan<R>& plan, const Hit<R>& hit, const Incident<R>& light) {
+int first_blocker(const Plan<R>& plan, const Hit<R>& hit, const Incident<R>& light) {
   Ray<R> ray = shadow_ray(hit, light);
   const auto blocks = [&](R t) { return t > 0 && t < ray.limit; };
   const auto chord_blocks = [&](const Chord<R>& chord) {
@@ -156,28 +157,37 @@ bool occluded(const Plan<R>& plan, const Hit<R>& hit, const Incident<R>& light) 
   for (int i = 0; const auto& part : plan.spheres) {
     if (own(Kind::Sphere, i) ? blocks(own_exit(plan, hit, ray))
                              : chord_blocks(intersect(part.shape, ray))) {
-      return true;
+      return part.object;
     }
     ++i;
   }
   for (int i = 0; const auto& part : plan.boxes) {
     if (own(Kind::Box, i) ? blocks(own_exit(plan, hit, ray))
                           : chord_blocks(intersect(part.shape, ray))) {
-      return true;
+      return part.object;
     }
     ++i;
   }
   for (int i = 0; const auto& part : plan.planes) {
-    if (!own(Kind::Plane, i) && blocks(intersect(part.shape, ray))) return true;
+    if (!own(Kind::Plane, i) && blocks(intersect(part.shape, ray))) return part.object;
     ++i;
   }
-  bool blocked = false;
+  int blocker = -1;
   const ShearedRay<R> sheared(ray.direction);
   traverse(plan.bvh, ray, [&](std::uint32_t i) {
-    return blocked =
-               !own(Kind::Triangle, int(i)) && blocks(intersect(plan.triangles[i], ray, sheared).t);
+    if (own(Kind::Triangle, int(i)) || !blocks(intersect(plan.triangles[i], ray, sheared).t)) {
+      return false;
+    }
+    blocker = plan.triangle_info[i].object;
+    return true;
   });
-  return blocked;
+  return blocker;
+}
+
+/// Whether anything lies strictly between a hit and a lamp.
+template <Real R>
+bool occluded(const Plan<R>& plan, const Hit<R>& hit, const Incident<R>& light) {
+  return first_blocker(plan, hit, light) >= 0;
 }
 
 }  // namespace litmus
