@@ -94,14 +94,6 @@ std::vector<std::string> povray_caveats(const Scene& original) {
   using namespace povray;
   const Scene scene = into_envelope(original);
   std::vector<std::string> caveats;
-  for (const Object& object : scene.objects) {
-    const Mesh* mesh = std::get_if<Mesh>(&object.shape);
-    if (mesh && !mesh->normals.empty())
-      caveats.push_back(fmt::format(
-          "\"{}\": where the interpolated normal faces away from the eye, in a line at the outline "
-          "(0.01 pixels wide on a torus of 48 x 24 facets), POV-Ray turns it round.",
-          object.name));
-  }
   for (const Light& light : scene.lights) add_caveats(scene, light, caveats);
   return caveats;
 }
