@@ -40,7 +40,8 @@ template <Real R>
 LampTerms<R> lamp_terms(const Plan<R>& plan, const Lamp<R>& lamp, const Hit<R>& hit,
                         const Vec<R>& eye) {
   const Finish<R>& finish = plan.finishes[std::size_t(hit.object)];
-  LampTerms<R> result{incident(lamp, hit.point)};
+  LampTerms<R> result;
+  result.light = incident(lamp, hit.point);
   const Incident<R>& light = result.light;
   result.faces = dot(light.direction, hit.geometric) > 0;
   result.shades = dot(light.direction, hit.normal) > 0;
