@@ -3,10 +3,13 @@
 
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "cli/commands.h"
+#include "cli/compare_samples.h"
 #include "compare/difference.h"
 #include "compare/image_io.h"
+#include "compare/triage.h"
 #include "compare/verdict.h"
 #include "scene/refusal.h"
 
@@ -15,6 +18,7 @@ namespace {
 
 struct Options {
   std::filesystem::path ours, theirs;
+  std::vector<std::string> samples;
   double tolerance = 1e-5;
   bool json = false;
 };
@@ -23,7 +27,11 @@ struct Row {
   std::string layer;
   Difference difference;
   Verdict verdict;
+  std::optional<Triage> triage;
 };
+
+/// FLIP takes 1 s or so for so many pixels; larger pictures do without.
+constexpr std::size_t kTriagePixels = 2'000'000;
 
 /// Part by part if both files have the same parts, else the first pictures.
 std::vector<Row> compare(const Options& options) {
@@ -31,7 +39,8 @@ std::vector<Row> compare(const Options& options) {
   std::vector<Row> rows;
   const auto add = [&](const std::string& name, const Picture& a, const Picture& b) {
     const Difference d = difference(a, b, {}, Region::All, options.tolerance);
-    rows.push_back({name, d, judge(d, tolerance)});
+    rows.push_back({name, d, judge(d, tolerance),
+                    a.pixels.size() <= kTriagePixels ? std::optional(triage(a, b)) : std::nullopt});
   };
   const bool layered = !read_metadata(options.ours).empty() && options.ours.extension() == ".exr" &&
                        options.theirs.extension() == ".exr";
@@ -59,6 +68,10 @@ void print_json(const std::vector<Row>& rows, double tolerance) {
                                  {"tolerance", tolerance}};
     for (const auto& metric : kMetrics<Difference>)
       entry[std::string(metric.name)] = d.*metric.member;
+    if (row.triage)
+      entry["triage"] = {{"ldr_flip", row.triage->ldr_flip},
+                         {"hdr_flip", row.triage->hdr_flip},
+                         {"ssim", row.triage->ssim}};
     entry["verdict"] = row.verdict.pass ? "pass" : "fail";
     entry["reason"] = row.verdict.reason;
     list.push_back(entry);
@@ -75,10 +88,20 @@ void print_table(const std::vector<Row>& rows) {
     for (const auto& metric : kMetrics<Difference>) {
       fmt::print("  {:<10} {:<12.4g} {}\n", metric.title, d.*metric.member, metric.meaning);
     }
+    if (!row.triage) continue;
+    const Triage& t = *row.triage;
+    fmt::print("  {:<10} {:<12.4g} how visible, 0..1, shown as it is (no gate)\n", "LDR-FLIP",
+               t.ldr_flip);
+    fmt::print("  {:<10} {:<12.4g} how visible, 0..1, at the worst exposure (no gate)\n",
+               "HDR-FLIP", t.hdr_flip);
+    fmt::print("  {:<10} {:<12.6g} structural similarity, 1 is equal (no gate)\n", "SSIM", t.ssim);
   }
 }
 
 int run(const Options& options) {
+  if (!options.samples.empty())
+    return compare_sample_files(options.samples, options.tolerance, options.json);
+  if (options.theirs.empty()) throw Refusal("compare: give two image files, or --samples");
   const std::vector<Row> rows = compare(options);
   options.json ? print_json(rows, options.tolerance) : print_table(rows);
   for (const Row& row : rows) {
@@ -91,16 +114,26 @@ int run(const Options& options) {
 
 void add_compare(CLI::App& program, int& exit_code) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = program.add_subcommand("compare", "Compare two image files pixel by pixel");
-  command->add_option("ours", options->ours, "EXR, PFM or PNG (PNG as linear code values)")
-      ->required();
-  command->add_option("theirs", options->theirs, "The other one; the sign is ours - theirs")
-      ->required();
-  command->add_option("--tolerance", options->tolerance, "On the largest difference")
+  CLI::App* command = program.add_subcommand("compare",
+                                             "Compare two image files pixel by pixel, or two "
+                                             "noisy renderers");
+  command->add_option("ours", options->ours, "EXR, PFM or PNG (PNG as linear code values)");
+  command->add_option("theirs", options->theirs, "The other one; the sign is ours - theirs");
+  command
+      ->add_option(
+          "--samples", options->samples,
+          "Pairs of quoted patterns: files of one renderer with different seeds, and of the "
+          "other (8 or more each): are they the same but for noise?")
+      ->expected(2, 1 << 20);
+  command
+      ->add_option("--tolerance", options->tolerance,
+                   "On the largest difference; with --samples, a difference that is none")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
   command->add_flag("--json", options->json, "For machines");
-  command->footer("Example: litmus compare mine.exr theirs.exr --tolerance 1e-4");
+  command->footer(
+      "Example: litmus compare mine.exr theirs.exr --tolerance 1e-4\n"
+      "         litmus compare --samples 'mine_*.exr' 'theirs_*.exr'");
   command->callback([options, &exit_code] { exit_code = run(*options); });
 }
 
