@@ -266,6 +266,57 @@ TEST(Signature, ChangesOnlyAtBoundaries) {
   EXPECT_EQ(kinds.size(), 2u);  // lit floor and shadowed floor
 }
 
+TEST(Flags, TellLitFromHiddenFromTurnedAway) {
+  Scene scene = floor_from_above(64);
+  scene.objects.push_back({"ball", Sphere{{0, 0, 1.5}, 0.8}, 0, false});
+  scene.lights = {sun({0, 0, -1}), sun({0, 0, 1})};
+  const std::vector<std::vector<std::uint8_t>> flags = render(scene).flags;
+  ASSERT_EQ(flags.size(), 3u);
+  EXPECT_EQ(flags[0][32 * 64 + 32], 0);       // ambient
+  EXPECT_EQ(flags[1][32 * 64 + 32], kUmbra);  // below the ball
+  EXPECT_EQ(flags[1][0], kLit);
+  EXPECT_EQ(flags[2][32 * 64 + 32], 0);  // the light shines from below
+  scene.shadows = false;
+  EXPECT_EQ(render(scene).flags[1][32 * 64 + 32], kLit);
+}
+
+TEST(Flags, TellAPenumbraByTheLampsInView) {
+  Scene scene = floor_from_above(96);
+  scene.objects.push_back({"ball", Sphere{{0, 0, 1.5}, 0.5}, 0, false});
+  AreaLight panel;
+  panel.point.origin = {0, 0, 4}, panel.normal = Vector{0, 0, -1};
+  panel.width = panel.height = 0.6, panel.columns = panel.rows = 4;
+  scene.lights = {make_light(panel)};
+  const Rendering result = render(scene);
+  int counts[8] = {};
+  for (std::size_t i = 0; i < result.flags[1].size(); ++i) {
+    const std::uint8_t flags = result.flags[1][i];
+    ++counts[flags];
+    if (flags == kUmbra) ASSERT_EQ(result.whole.pixels[i], Color(0));
+    if (flags == kLit || flags == kPenumbra) ASSERT_GT(result.whole.pixels[i].x, 0);
+  }
+  EXPECT_GT(counts[kLit], 0);
+  EXPECT_GT(counts[kPenumbra], 0);
+  EXPECT_GT(counts[kUmbra], 0);
+  EXPECT_EQ(counts[kLit] + counts[kPenumbra] + counts[kUmbra], 96 * 96);
+}
+
+TEST(Flags, MarkAHighlightAboveHalfItsPeak) {
+  Scene scene = floor_from_above(64);
+  scene.materials[0] = {"gloss", Color(0), Color(0), Color(1), 40};
+  scene.lights = {bulb({0, 0, 3})};
+  const Rendering result = render(scene);
+  int marked = 0;
+  for (std::size_t i = 0; i < result.flags[1].size(); ++i) {
+    const bool highlight = (result.flags[1][i] & kHighlight) != 0;
+    ASSERT_EQ(highlight, result.whole.pixels[i].x > 0.5) << i;  // there is no other term
+    marked += highlight;
+  }
+  EXPECT_GT(marked, 10);
+  scene.materials[0].specular = Color(0), scene.materials[0].diffuse = Color(1);
+  for (const std::uint8_t flags : render(scene).flags[1]) ASSERT_EQ(flags & kHighlight, 0);
+}
+
 TEST(Probe, ShowsWhatThePixelShows) {
   Scene scene = busy_scene();
   scene.samples = 2;
