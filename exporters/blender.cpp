@@ -10,16 +10,10 @@
 #include "exporters/blender_parts.h"
 #include "exporters/envelope.h"
 #include "exporters/text.h"
+#include "scene/overload.h"
 
 namespace litmus {
 namespace {
-
-template <class... Ts>
-struct Overloaded : Ts... {
-  using Ts::operator()...;
-};
-template <class... Ts>
-Overloaded(Ts...) -> Overloaded<Ts...>;
 
 void write_header(const Scene& scene, std::ostream& out) {
   out << "# " << comment(scene.name) << ", exactly, for Blender 3.4 (Cycles, CPU)\n#\n";
@@ -45,7 +39,7 @@ void write_object(const Scene& scene, const Object& object, const std::string& m
   const std::string start = python_label(object.name) + ", " + material;
   const std::string end = object.camera_visible ? ")\n" : ", visible=False)\n";
   const double aspect = double(scene.width) / scene.height;
-  std::visit(Overloaded{
+  std::visit(Overload{
                  [&](const Sphere& s) {
                    const bool inside = holds_eye(scene.camera, aspect, s);
                    out << fmt::format("{}({}, {}, {}{}", inside ? "shell" : "sphere", start,
@@ -84,7 +78,7 @@ void write_light(const Light& light, bool shadows, std::ostream& out) {
   const std::string colours =
       fmt::format("intensity={}, diffuse={}, specular={}", number(light.intensity),
                   python_triple(light.diffuse), python_triple(light.specular));
-  std::visit(Overloaded{
+  std::visit(Overload{
                  [&](const DirectionalLight& d) {
                    out << fmt::format("directional_light({}, direction={}, {}", name,
                                       python_triple(d.direction), colours)

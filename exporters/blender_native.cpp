@@ -12,6 +12,7 @@
 #include "exporters/blender_parts.h"
 #include "exporters/envelope.h"
 #include "exporters/text.h"
+#include "scene/overload.h"
 
 namespace litmus {
 namespace {
@@ -19,18 +20,11 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 constexpr int kAreaRays = 256;  // samples a pixel of a picture with an area lamp
 
-template <class... Ts>
-struct Overloaded : Ts... {
-  using Ts::operator()...;
-};
-template <class... Ts>
-Overloaded(Ts...) -> Overloaded<Ts...>;
-
 void write_object(const Scene& scene, const Object& object, const std::string& material,
                   std::ostream& out) {
   const std::string start = python_label(object.name) + ", " + material;
   const std::string end = object.camera_visible ? ")\n" : ", visible=False)\n";
-  std::visit(Overloaded{
+  std::visit(Overload{
                  [&](const Sphere& s) {
                    out << fmt::format("sphere({}, {}, {}{}", start, python_triple(s.center),
                                       number(s.radius), end);
@@ -66,7 +60,7 @@ void write_lamp(const Light& light, const std::vector<Point>& points, const std:
     out << fmt::format(
         "# at best fit over the picture's objects off by {:.2g} of the intensity, rms\n", fit.rms);
   }
-  std::visit(Overloaded{
+  std::visit(Overload{
                  [&](const DirectionalLight& d) {
                    out << fmt::format("sun({}, {}, {}, {}{}", name, python_triple(d.direction),
                                       number(kPi * light.intensity), colour, end);

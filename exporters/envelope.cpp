@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "exporters/overload.h"
+#include "scene/overload.h"
 #include "scene/refusal.h"
 
 namespace litmus {

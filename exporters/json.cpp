@@ -9,7 +9,7 @@
 #include <ostream>
 
 #include "exporters/area_grid.h"
-#include "exporters/overload.h"
+#include "scene/overload.h"
 #include "exporters/text.h"
 
 namespace litmus {

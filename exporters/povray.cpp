@@ -8,7 +8,7 @@
 
 #include "exporters/area_grid.h"
 #include "exporters/envelope.h"
-#include "exporters/overload.h"
+#include "scene/overload.h"
 #include "exporters/povray_layers.h"
 #include "exporters/povray_limits.h"
 #include "exporters/povray_parts.h"

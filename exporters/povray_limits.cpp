@@ -12,7 +12,7 @@
 
 #include "exporters/area_grid.h"
 #include "exporters/envelope.h"
-#include "exporters/overload.h"
+#include "scene/overload.h"
 #include "exporters/povray.h"
 #include "exporters/povray_parts.h"
 #include "exporters/text.h"

@@ -7,7 +7,7 @@
 #include <ostream>
 #include <set>
 
-#include "exporters/overload.h"
+#include "scene/overload.h"
 #include "exporters/text.h"
 #include "scene/refusal.h"
 

@@ -3,13 +3,10 @@
 
 #include <algorithm>
 
+#include "scene/overload.h"
+
 namespace litmus {
 namespace {
-
-template <class... Ts>
-struct Overloaded : Ts... {
-  using Ts::operator()...;
-};
 
 template <Real R>
 Lamp<R> point_lamp(const PointLight& light, const Vec<R>& origin) {
@@ -24,7 +21,7 @@ Lamp<R> point_lamp(const PointLight& light, const Vec<R>& origin) {
 
 template <Real R>
 std::vector<Lamp<R>> lamps_of(const Light& light) {
-  return std::visit(Overloaded{
+  return std::visit(Overload{
                         [](const DirectionalLight& sun) {
                           Lamp<R> lamp;
                           lamp.directional = true;
@@ -83,7 +80,7 @@ void add_mesh(Plan<R>& plan, int object, const Mesh& mesh) {
 
 template <Real R>
 void add_object(Plan<R>& plan, int index, const Object& object) {
-  std::visit(Overloaded{
+  std::visit(Overload{
                  [&](const Sphere& s) {
                    plan.spheres.push_back({{Vec<R>(s.center), R(s.radius)}, index});
                  },
