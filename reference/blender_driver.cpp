@@ -3,20 +3,17 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <sstream>
 #include <stdexcept>
 
-#include "compare/image_io.h"
 #include "exporters/blender.h"
+#include "reference/frames.h"
 #include "reference/process.h"
-#include "scene/refusal.h"
 
 namespace litmus {
 namespace {
@@ -28,17 +25,6 @@ namespace fs = std::filesystem;
 const std::vector<std::string> kArguments = {
     "-b", "--factory-startup", "-Y", "--debug-cycles", "--python-exit-code", "9"};
 
-std::string read_text(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
-void write_text(const fs::path& file, const std::string& text) {
-  std::ofstream out(file, std::ios::binary);
-  out << text;
-  if (!out.flush()) throw std::runtime_error(fmt::format("{}: cannot be written", file.string()));
-}
-
 std::string exported(const Scene& scene) {
   std::ostringstream out;
   write_blender(scene, out);
@@ -46,31 +32,10 @@ std::string exported(const Scene& scene) {
 }
 
 std::string source(const Scene& scene) {
-  // Words for people do not change the picture.
-  Scene nameless = scene;
-  nameless.name = "scene";
-  nameless.file.clear();
-  nameless.about.clear();
-  return fmt::format("{}\n{}\n", exported(nameless), fmt::join(kArguments, " "));
+  return fmt::format("{}\n{}\n", exported(without_words(scene)), fmt::join(kArguments, " "));
 }
 
-std::optional<Installation> find() {
-  const fs::path program = find_program("blender");
-  if (program.empty()) return std::nullopt;
-  const fs::path folder = fs::temp_directory_path() / fmt::format("litmus-blender-{}", ::getpid());
-  const fs::path log = folder / "version.log";
-  const ProcessResult result =
-      run_process({.arguments = {program.string(), "--version"}, .directory = folder, .log = log});
-  const std::string text = read_text(log);
-  std::error_code ignored;
-  fs::remove_all(folder, ignored);
-  constexpr std::string_view kTitle = "Blender ";
-  const std::size_t at = text.find(kTitle);
-  if (!result.ok() || at == std::string::npos) return std::nullopt;
-  const std::size_t start = at + kTitle.size();
-  return Installation{program,
-                      text.substr(start, text.find_first_not_of("0123456789.", start) - start)};
-}
+std::optional<Installation> find() { return find_installation("blender", "Blender "); }
 
 std::string label(std::size_t scene) { return fmt::format("{:04}", scene); }
 
@@ -78,25 +43,10 @@ fs::path frame_file(const Scene& scene, const fs::path& folder, std::size_t fram
   return folder / fmt::format("{}_{:04}.exr", blender_stem(scene), frame + 1);
 }
 
-/// Adds a frame to a layer's picture: the mean of samples x samples of its pixels is one pixel.
+/// Adds a frame to a layer's picture.
 void add_frame(const Scene& scene, const fs::path& file, Picture& sum) {
-  const Picture fine = read_picture(file);
-  const int n = scene.samples;
-  if (fine.width != scene.width * n || fine.height != scene.height * n) {
-    throw std::runtime_error(fmt::format("{} has {} x {} pixels instead of {} x {}",
-                                         file.filename().string(), fine.width, fine.height,
-                                         scene.width * n, scene.height * n));
-  }
-  for (int y = 0; y < fine.height; ++y) {
-    for (int x = 0; x < fine.width; ++x) {
-      const glm::dvec3& p = fine.at(x, y);
-      if (!std::isfinite(p.r) || !std::isfinite(p.g) || !std::isfinite(p.b)) {
-        throw std::runtime_error(fmt::format("{} has a pixel at {}, {} that is not a number",
-                                             file.filename().string(), x, y));
-      }
-      sum.at(x / n, y / n) += p / double(n * n);
-    }
-  }
+  const Picture frame = averaged(read_frame(scene, file), scene.samples);
+  for (std::size_t i = 0; i < sum.pixels.size(); ++i) sum.pixels[i] += frame.pixels[i];
 }
 
 Layers read_layers_of(const Scene& scene, const fs::path& folder) {

@@ -4,23 +4,17 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <atomic>
 #include <charconv>
-#include <cmath>
-#include <fstream>
-#include <iterator>
 #include <mutex>
 #include <sstream>
 #include <stdexcept>
 #include <thread>
 
-#include "compare/image_io.h"
 #include "exporters/povray.h"
+#include "reference/frames.h"
 #include "reference/process.h"
-#include "scene/refusal.h"
 
 namespace litmus {
 namespace {
@@ -44,17 +38,6 @@ fs::path frame_file(const Scene& scene, const std::string& stem, std::size_t lay
   return fmt::format("{}{:0{}}{}", stem, layer + 1, digits(scene), extension);
 }
 
-std::string read_text(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
-void write_text(const fs::path& file, const std::string& text) {
-  std::ofstream out(file, std::ios::binary);
-  out << text;
-  if (!out.flush()) throw std::runtime_error(fmt::format("{}: cannot be written", file.string()));
-}
-
 std::string exported(const Scene& scene) {
   std::ostringstream out;
   write_povray(scene, out);
@@ -72,34 +55,12 @@ std::vector<std::string> second_pass(const Scene& scene) {
 }
 
 std::string source(const Scene& scene) {
-  // Words for people do not change the picture.
-  Scene nameless = scene;
-  nameless.name = "scene";
-  nameless.file.clear();
-  nameless.about.clear();
-  return fmt::format("{}\n{}\n{}\n{}\n", exported(nameless), povray_residual(scene),
+  return fmt::format("{}\n{}\n{}\n{}\n", exported(without_words(scene)), povray_residual(scene),
                      fmt::join(first_pass(scene), " "), fmt::join(second_pass(scene), " "));
 }
 
-std::optional<Installation> find() {
-  const fs::path program = find_program("povray");
-  if (program.empty()) return std::nullopt;
-  const fs::path folder = fs::temp_directory_path() / fmt::format("litmus-povray-{}", ::getpid());
-  const fs::path log = folder / "version.log";
-  const ProcessResult result =
-      run_process({.arguments = {program.string(), "--version"}, .directory = folder, .log = log});
-  const std::string text = read_text(log);
-  std::error_code ignored;
-  fs::remove_all(folder, ignored);
-  // "POV-Ray 3.7.0.10.unofficial": the digits and dots.
-  constexpr std::string_view kTitle = "POV-Ray ";
-  const std::size_t at = text.find(kTitle);
-  if (!result.ok() || at == std::string::npos) return std::nullopt;
-  const std::size_t start = at + kTitle.size();
-  std::string version = text.substr(start, text.find_first_not_of("0123456789.", start) - start);
-  while (!version.empty() && version.back() == '.') version.pop_back();
-  return Installation{program, version};
-}
+// As in "POV-Ray 3.7.0.10.unofficial".
+std::optional<Installation> find() { return find_installation("povray", "POV-Ray "); }
 
 // One run of POV-Ray in the scene's folder. Throws std::runtime_error if it failed.
 struct Pass {
@@ -119,30 +80,6 @@ Pass run_pass(const Installation& povray, const fs::path& folder, const std::str
   if (!result.ok())
     throw std::runtime_error(fmt::format("{} ({})", result.explanation, pass.command));
   return pass;
-}
-
-Picture read_frame(const Scene& scene, const fs::path& file) {
-  Picture picture = read_picture(file);
-  const int width = scene.width * scene.samples, height = scene.height * scene.samples;
-  if (picture.width != width || picture.height != height)
-    throw std::runtime_error(fmt::format("{} has {} x {} pixels instead of {} x {}",
-                                         file.filename().string(), picture.width, picture.height,
-                                         width, height));
-  for (const auto& p : picture.pixels)
-    if (!std::isfinite(p.r) || !std::isfinite(p.g) || !std::isfinite(p.b))
-      throw std::runtime_error(
-          fmt::format("{} has a pixel that is not a number", file.filename().string()));
-  return picture;
-}
-
-// The mean of samples x samples pixels.
-Picture averaged(const Picture& fine, int samples) {
-  if (samples == 1) return fine;
-  Picture picture(fine.width / samples, fine.height / samples);
-  for (int y = 0; y < fine.height; ++y)
-    for (int x = 0; x < fine.width; ++x)
-      picture.at(x / samples, y / samples) += fine.at(x, y) / double(samples * samples);
-  return picture;
 }
 
 Layer read_layer(const Scene& scene, const fs::path& folder, std::size_t layer) {
