@@ -7,7 +7,7 @@
 
 #include "compare/difference.h"
 #include "compare/verdict.h"
-#include "reports/pictures.h"
+#include "reports/page_data.h"
 #include "reports/plain_text.h"
 
 namespace litmus {
@@ -104,11 +104,13 @@ data row_data(const Comparison& row) {
   return result;
 }
 
-data figure(const std::string& uri, std::string_view title, bool is_difference) {
+// `show` is what the page paints: "ours", "theirs" or "difference".
+data figure(const std::string& show, std::string_view title, const std::string& reference) {
   data result;
-  result.set("uri", uri);
+  result.set("show", show);
   result.set("title", text_data(title));
-  result.set("difference", flag(is_difference));
+  result.set("reference", text_data(reference));
+  result.set("difference", flag(show == "difference"));
   return result;
 }
 
@@ -125,19 +127,17 @@ double allowed(const Study& study, const Case& one, const CaseLayer& layer,
 
 void add_theirs(data& figures, const Study& study, const Case& one, const CaseLayer& layer,
                 const CaseLayer::Theirs& theirs) {
-  if (theirs.picture.width == 0) return;
+  if (!same_size(layer.ours, theirs.picture)) return;
   const std::string title = reference_title(theirs.reference);
   const Tally rows = tally(study, [&](const Comparison& row) {
     return row.scene == one.scene && row.light == layer.light && row.reference == theirs.reference;
   });
   // Where they agree, theirs looks like ours: the whole picture shows it once per scene.
   if (layer.light == "all" || rows.failed > 0)
-    figures.push_back(figure(picture_uri(theirs.picture), title, false));
-  if (!same_size(layer.ours, theirs.picture)) return;
+    figures.push_back(figure("theirs", title, theirs.reference));
   const double inside = allowed(study, one, layer, theirs.reference, Region::Interior);
   const double border = allowed(study, one, layer, theirs.reference, Region::Edge);
-  data difference = figure(difference_uri(layer.ours, theirs.picture, layer.edge, inside, border),
-                           "litmus \u2212 " + title, true);
+  data difference = figure("difference", "litmus \u2212 " + title, theirs.reference);
   difference.set("scale", short_number(inside));
   difference.set("quarter", short_number(inside / 4));
   difference.set("edge_scale", short_number(border));
@@ -149,7 +149,7 @@ data layer_data(const Study& study, const Case& one, const CaseLayer& layer) {
     return row.scene == one.scene && row.light == layer.light;
   };
   data figures{data::type::list}, rows{data::type::list}, chips{data::type::list};
-  figures.push_back(figure(picture_uri(layer.ours), "litmus", false));
+  figures.push_back(figure("ours", "litmus", ""));
   for (const CaseLayer::Theirs& theirs : layer.theirs)
     add_theirs(figures, study, one, layer, theirs);
   for (const std::string& reference : references_of(study)) {
@@ -162,6 +162,7 @@ data layer_data(const Study& study, const Case& one, const CaseLayer& layer) {
   const std::string verdict = verdict_of(tally(study, is_here));
   data result;
   result.set("anchor", layer_anchor(study, one, layer.light));
+  result.set("layer", std::to_string(&layer - one.layers.data()));
   result.set("title", text_data(layer_title(layer)));
   result.set("kind", text_data(layer.light_type == layer.light ? "" : layer.light_type));
   result.set("verdict", verdict);
@@ -200,6 +201,17 @@ data flag(bool value) { return data(value ? data::type::bool_true : data::type::
 void set_list(data& target, const std::string& name, data list) {
   target.set("has_" + name, flag(list.is_non_empty_list()));
   target.set(name, std::move(list));
+}
+
+std::string script_safe(const std::string& json) {
+  std::string safe;
+  safe.reserve(json.size());
+  for (const char c : json)
+    if (c == '<')
+      safe += "\\u003c";
+    else
+      safe += c;
+  return safe;
 }
 
 std::string case_anchor(const Study& study, const Case& one) {
@@ -246,6 +258,10 @@ data case_data(const Study& study, const Case& one, bool open) {
   const std::string verdict = verdict_of(tally(study, is_here));
   data result;
   result.set("anchor", case_anchor(study, one));
+  result.set("scene_anchor", case_anchor(study, one));
+  result.set("width", std::to_string(one.width));
+  result.set("height", std::to_string(one.height));
+  result.set("pictures", script_safe(pictures_json(study, one)));
   result.set("scene", text_data(one.scene));
   result.set("about", text_data(one.about));
   result.set("file", text_data(one.file));

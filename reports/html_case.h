@@ -18,6 +18,9 @@ kainjow::mustache::data flag(bool value);
 /// A list for a section of the template, and whether it has anything under "has_NAME".
 void set_list(kainjow::mustache::data& data, const std::string& name, kainjow::mustache::data list);
 
+/// JSON for a script element: no "<" may end the element.
+std::string script_safe(const std::string& json);
+
 /// The anchor of a scene, or of one of its layers: "s3", "s3-l1". Made of numbers, so that no name
 /// gets into it.
 std::string case_anchor(const Study& study, const Case& one);

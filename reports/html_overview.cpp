@@ -68,6 +68,7 @@ data reference_tile(const Study& study, const std::string& reference) {
   const Tally rows =
       tally(study, [&](const Comparison& row) { return row.reference == reference; });
   data tile = chip(rows, reference);
+  tile.set("key", text_data(reference));
   tile.set("has_figures", flag(rows.interior != nullptr));
   if (rows.interior == nullptr) return tile;
   const Comparison& worst = *rows.interior;
@@ -188,9 +189,11 @@ data matrix_heads(const Study& study) {
     for (const std::string& reference : references_of(study)) {
       data one;
       one.set("short", text_data(short_title(reference)));
+      one.set("name", text_data(reference));
       references.push_back(one);
     }
     data head;
+    head.set("key", text_data(type));
     head.set("type", text_data(type == "all" ? "whole" : type));
     head.set("references", references);
     heads.push_back(head);
@@ -208,6 +211,8 @@ data matrix_row(const Study& study, const Case& one) {
       data cell = chip(rows, reference);
       const Comparison* shown = rows.failure != nullptr ? rows.failure : rows.interior;
       cell.set("zero", flag(shown != nullptr && shown->verdict == "pass" && shown->max_abs == 0));
+      cell.set("type", text_data(type));
+      cell.set("name", text_data(reference));
       cell.set("empty", flag(rows.rows == 0));
       cell.set("filled", flag(rows.rows > 0));
       cell.set("label",

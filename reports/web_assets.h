@@ -7,6 +7,6 @@ namespace litmus {
 
 extern const std::string_view kPageTemplate;  ///< page.html, a mustache template
 extern const std::string_view kPageStyle;     ///< page.css
-extern const std::string_view kPageScript;    ///< page.js
+extern const std::string_view kPageScript;    ///< all *.js, one after the other
 
 }  // namespace litmus

@@ -12,7 +12,7 @@
 #include "reports/html_case.h"
 #include "reports/html_overview.h"
 #include "reports/overview.h"
-#include "reports/pictures.h"
+#include "reports/page_data.h"
 #include "reports/plain_text.h"
 #include "reports/web_assets.h"
 #include "reports/write_json.h"
@@ -58,18 +58,6 @@ data tolerances_data() {
   return list;
 }
 
-// JSON inside a script element: no "<" may end the element.
-std::string script_safe(const std::string& json) {
-  std::string safe;
-  safe.reserve(json.size());
-  for (const char c : json)
-    if (c == '<')
-      safe += "\\u003c";
-    else
-      safe += c;
-  return safe;
-}
-
 data page_data(const Study& study) {
   const Tally all = tally(study, [](const Comparison&) { return true; });
   const std::string verdict = overall_verdict(study);
@@ -84,11 +72,7 @@ data page_data(const Study& study) {
   page.set("skipped", std::to_string(all.skipped));
   page.set("any_failed", flag(all.failed > 0));
   page.set("any_skipped", flag(all.skipped > 0));
-  page.set("not_all_well", flag(all.failed > 0 || all.skipped > 0));
   page.set("started", text_data(study.provenance.started));
-  page.set("gradient", difference_gradient());
-  page.set("under", over_color(false));
-  page.set("over", over_color(true));
   data tiles{data::type::list}, cases{data::type::list};
   for (const std::string& reference : references_of(study))
     tiles.push_back(reference_tile(study, reference));
@@ -114,7 +98,7 @@ data page_data(const Study& study) {
   page.set("cases", std::move(cases));
   page.set("provenance", provenance_data(study.provenance));
   page.set("tolerances", tolerances_data());
-  page.set("results", script_safe(results_json(study, -1)));
+  page.set("results", deflated(results_json(study, -1)));
   page.set("style", std::string(kPageStyle));
   page.set("script", std::string(kPageScript));
   return page;

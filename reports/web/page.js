@@ -1,6 +1,12 @@
-"use strict";
+// page.js: the page around the viewer: links, filters, figures, the results to save.
+
 // Links open whatever they point into.
-function reveal() {
+async function reveal() {
+  if (location.hash.startsWith("#view?")) {
+    await openAddress(location.hash);
+    return;
+  }
+  if (viewer.open) viewer.close();
   const target = location.hash && document.getElementById(location.hash.slice(1));
   if (!target) return;
   for (let e = target; e; e = e.parentElement) if (e.tagName === "DETAILS") e.open = true;
@@ -11,62 +17,45 @@ addEventListener("click", (event) => {
   const link = event.target.closest('a[href^="#s"]');
   if (link && link.hash === location.hash) reveal();
 });
-reveal();
 
-// Only what does not pass.
-const only = document.getElementById("only");
-if (only) only.addEventListener("change", () =>
-  document.body.classList.toggle("only-bad", only.checked));
+// The figures of a scene are painted when it is folded open.
+const paint = (details) => { if (details.open) paintFigures(details); };
+document.addEventListener("toggle", (event) => {
+  const details = event.target.closest("details.case");
+  if (details && event.target.matches("details.case, details.layer")) paint(details);
+}, true);
+kDark.addEventListener("change", () => document.querySelectorAll("details.case[open]").forEach(paint));
 
-// One picture, large; the arrow keys flip between the pictures of a layer in place.
-const viewer = document.getElementById("viewer");
-const image = document.getElementById("viewer-image");
-let shown = [], index = 0;
-
-function show(next) {
-  index = (next + shown.length) % shown.length;
-  const { img, difference, legend } = shown[index];
-  const room = Math.min((innerWidth * 0.92 - 32) / img.naturalWidth,
-                        (innerHeight * 0.92 - 180) / img.naturalHeight);
-  // Whole steps keep pixels square; a picture larger than the window shrinks to fit.
-  const scale = room >= 1 ? Math.floor(room) : room;
-  image.src = img.src;
-  image.alt = img.alt;
-  image.width = img.naturalWidth * scale;
-  image.height = img.naturalHeight * scale;
-  image.classList.toggle("difference", difference);
-  document.getElementById("viewer-title").textContent = img.alt;
-  document.getElementById("viewer-legend").replaceChildren(...legend.map((e) => e.cloneNode(true)));
-  const tabs = [...document.getElementById("viewer-tabs").children];
-  tabs.forEach((tab, i) => tab.setAttribute("aria-pressed", String(i === index)));
-  tabs[index].focus();
+// Filters: the columns of a light type or a renderer, the rows with a cell of the verdict in them.
+const filters = ["type", "renderer", "verdict"].map((name) => $("filter-" + name));
+function filter() {
+  const [type, renderer, verdict] = filters.map((select) => select.value);
+  const fits = (e) => (!type || e.dataset.type === type) && (!renderer || e.dataset.reference === renderer);
+  const asked = (cell) => !verdict || (verdict === "bad" ? !cell.matches(".pass") : cell.matches("." + verdict));
+  for (const cell of document.querySelectorAll(".matrix [data-reference]")) cell.hidden = !fits(cell);
+  for (const head of document.querySelectorAll(".matrix th[data-type]:not([data-reference])")) {
+    head.hidden = type && head.dataset.type !== type;
+    head.colSpan = renderer ? 1 : head.dataset.references;
+  }
+  let left = 0;
+  for (const row of document.querySelectorAll(".matrix tbody tr")) {
+    row.hidden = ![...row.querySelectorAll("td:not(.empty)")].some((cell) => fits(cell) && asked(cell));
+    document.getElementById(row.dataset.anchor).hidden = row.hidden;
+    left += !row.hidden;
+  }
+  $("filter-note").textContent = type || renderer || verdict ? `${left} of ${row_count} scenes` : "";
 }
+const row_count = document.querySelectorAll(".matrix tbody tr").length;
+for (const select of filters) select.addEventListener("change", filter);
+filter();
 
-addEventListener("click", (event) => {
-  const button = event.target.closest(".zoom");
-  if (!button) return;
-  const figures = [...button.closest(".pictures").querySelectorAll("figure")];
-  shown = figures.map((figure) => ({
-    img: figure.querySelector("img"),
-    difference: figure.classList.contains("difference"),
-    legend: [...figure.querySelectorAll("figcaption > *")] }));
-  document.getElementById("viewer-tabs").replaceChildren(...shown.map(({ img }, i) => {
-    const tab = document.createElement("button");
-    tab.type = "button";
-    tab.textContent = img.alt;
-    tab.addEventListener("click", () => show(i));
-    return tab;
-  }));
-  viewer.showModal();
-  show(figures.indexOf(button.closest("figure")));
+$("save").addEventListener("click", async () => {
+  const link = document.createElement("a");
+  link.href = URL.createObjectURL(new Blob([await inflated($("results").textContent)], { type: "application/json" }));
+  link.download = "results.json";
+  link.click();
 });
-viewer.addEventListener("keydown", (event) => {
-  if (event.key === "ArrowRight") show(index + 1);
-  if (event.key === "ArrowLeft") show(index - 1);
-});
-viewer.addEventListener("click", (event) => { if (event.target === viewer) viewer.close(); });
 
-document.getElementById("save").addEventListener("click", (event) => {
-  const text = document.getElementById("results").textContent;
-  event.currentTarget.href = URL.createObjectURL(new Blob([text], { type: "application/json" }));
-});
+document.querySelectorAll("details.case[open]").forEach(paint);
+reveal();
+document.documentElement.dataset.ready = Math.round(performance.now());  // ms until it answers

@@ -6,7 +6,6 @@
 
 #include <filesystem>
 #include <fstream>
-#include <limits>
 
 #include "compare/image_io.h"
 
@@ -54,52 +53,6 @@ TEST(DataUri, IsBase64WithItsPadding) {
   EXPECT_EQ(data_uri("M"), std::string(kHead) + "TQ==");
   EXPECT_EQ(data_uri("\xFB\xFF"), std::string(kHead) + "+/8=");
   EXPECT_EQ(data_uri(""), kHead);
-}
-
-// One row of ours against zero, and the colours that it gets.
-Picture colors(const std::vector<double>& differences, std::vector<std::uint8_t> edge = {}) {
-  Picture ours(int(differences.size()), 1);
-  for (std::size_t i = 0; i < differences.size(); ++i) ours.pixels[i].y = differences[i];
-  return shown(difference_uri(ours, Picture(ours.width, 1), edge, 1e-6, 1e-3));
-}
-
-bool is_red(const glm::dvec3& color) { return color.r > color.b + 0.1; }
-bool is_blue(const glm::dvec3& color) { return color.b > color.r + 0.1; }
-
-TEST(DifferencePicture, IsRedWhereOursIsBrighterAndBlueWhereDarker) {
-  const Picture picture = colors({1e-6, -1e-6, 0});
-  EXPECT_TRUE(is_red(picture.at(0, 0)));
-  EXPECT_TRUE(is_blue(picture.at(1, 0)));
-  EXPECT_EQ(picture.at(2, 0), glm::dvec3(250 / 255.0));
-}
-
-TEST(DifferencePicture, GrowsDarkerWithTheDifference) {
-  const Picture picture = colors({0, 0.3e-6, 0.6e-6, 1e-6, 1.001e-6});
-  for (int x = 1; x < 5; ++x) EXPECT_LT(picture.at(x, 0).g, picture.at(x - 1, 0).g) << x;
-}
-
-TEST(DifferencePicture, SetsAPixelOverItsToleranceApart) {
-  const Picture picture = colors({1e-6, 1.0001e-6, 5, -5});
-  EXPECT_NE(picture.at(0, 0), picture.at(1, 0));
-  EXPECT_EQ(picture.at(1, 0), picture.at(2, 0));
-  EXPECT_EQ(over_color(true), "#8c0014");
-  EXPECT_EQ(picture.at(2, 0), glm::dvec3(0x8c, 0, 0x14) / 255.0);
-  EXPECT_TRUE(is_blue(picture.at(3, 0)));
-}
-
-TEST(DifferencePicture, MeasuresEdgesByTheirOwnTolerance) {
-  const Picture picture = colors({1e-5, 1e-5, 2e-3}, {0, 1, 1});
-  EXPECT_EQ(picture.at(0, 0), picture.at(2, 0)) << "both over";
-  EXPECT_GT(picture.at(1, 0).g, 0.9) << "a hundredth of what an edge may be";
-}
-
-TEST(DifferencePicture, IsMagentaWhereAnyValueIsNotFinite) {
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  const double infinity = std::numeric_limits<double>::infinity();
-  const Picture picture = colors({nan, infinity, 0});
-  EXPECT_EQ(picture.at(0, 0), glm::dvec3(1, 0, 1));
-  EXPECT_EQ(picture.at(1, 0), glm::dvec3(1, 0, 1));
-  EXPECT_NE(picture.at(2, 0), glm::dvec3(1, 0, 1));
 }
 
 TEST(Thumbnail, KeepsTheShapeAndAveragesLinearLight) {

@@ -115,7 +115,7 @@ inline void add_case(Study& study, const SampleCase& sample, int width = 64, int
                 {"all", "all", whole, edge, {}}};
   for (CaseLayer& layer : one.layers) {
     const bool is_ambient = layer.light == "ambient";
-    Picture povray = disturbed(layer.ours, edge, is_ambient ? 1e-8 : sample.povray, 2e-4);
+    Picture povray = disturbed(layer.ours, edge, is_ambient ? 1e-8 : sample.povray, 1e-7);
     if (sample.nan && !is_ambient) povray.at(20, 12).y = std::numeric_limits<double>::quiet_NaN();
     layer.theirs.push_back({"povray", "live", povray});
     add_rows(study, one, layer, layer.theirs.back());
@@ -129,7 +129,7 @@ inline void add_case(Study& study, const SampleCase& sample, int width = 64, int
     } else {
       layer.theirs.push_back(
           {"blender", "stored",
-           disturbed(layer.ours, edge, is_ambient ? 2e-8 : sample.blender, 5e-4)});
+           disturbed(layer.ours, edge, is_ambient ? 2e-8 : sample.blender, 4e-6)});
       add_rows(study, one, layer, layer.theirs.back());
     }
   }

@@ -53,7 +53,7 @@ TEST(JUnit, FailureSaysWhyWhereAndHowMuch) {
   const Study study = mixed_study();
   const pugi::xml_node failure =
       written(study).select_node("//testsuite[@name='r1-failing']/testcase/failure").node();
-  EXPECT_THAT(failure.attribute("message").value(), HasSubstr("is over 2e-06"));
+  EXPECT_THAT(failure.attribute("message").value(), HasSubstr("is over 8e-07"));
   EXPECT_THAT(failure.text().get(), HasSubstr("pixel 32, 34\n"));
   EXPECT_THAT(failure.text().get(), HasSubstr("max_abs 0.000"));
 }
