@@ -13,6 +13,7 @@
 #include "reports/boundary.h"
 #include "reports/controls.h"
 #include "reports/provenance.h"
+#include "reports/triage_rows.h"
 #include "scene/refusal.h"
 #include "tracer/render.h"
 
@@ -190,6 +191,7 @@ Study run_study(std::span<const Scene> scenes, const StudyOptions& options) {
       compare_with(entry, references[i], around, study.comparisons);
     study.cases.push_back(std::move(entry));
   }
+  add_triage(study);
   study.provenance = provenance_of(drivers);
   return study;
 }

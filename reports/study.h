@@ -4,10 +4,12 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "compare/triage.h"
 #include "reference/obtain.h"
 #include "scene/picture.h"
 #include "scene/scene.h"
@@ -40,6 +42,7 @@ struct Comparison {
   std::string verdict;         ///< "pass" | "fail" | "skipped"
   std::string reason;  ///< why it failed or was skipped, or what a pass rests on; may be empty
   std::vector<std::string> causes;  ///< one sentence per listed pixel
+  std::optional<Triage> triage;     ///< of failing whole pictures (light and region "all") only
 };
 
 /// What one light adds, by litmus and by each reference.

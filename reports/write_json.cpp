@@ -66,6 +66,10 @@ ordered_json comparison_json(const Comparison& row) {
   json["verdict"] = row.verdict;
   json["reason"] = row.reason;
   json["causes"] = row.causes;
+  if (row.triage)
+    json["triage"] = {{"ldr_flip", finite(row.triage->ldr_flip, row.scene + ".ldr_flip")},
+                      {"hdr_flip", finite(row.triage->hdr_flip, row.scene + ".hdr_flip")},
+                      {"ssim", finite(row.triage->ssim, row.scene + ".ssim")}};
   return json;
 }
 
