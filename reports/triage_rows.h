@@ -6,7 +6,7 @@
 namespace litmus {
 
 /// Sets `triage` of the failing rows of whole pictures (light and region "all"). Where all is well
-/// the figures say nothing, and they take longer than everything else that is done with a picture.
+/// the figures say nothing, and for all canonical scenes and both references they take 2 s.
 void add_triage(Study& study);
 
 }  // namespace litmus
