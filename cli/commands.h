@@ -1,8 +1,9 @@
-// commands.h: the subcommands. Each adds itself to the program with its options and stores its exit
-// code.
+// commands.h: the subcommands. Each adds itself to the program, with its options.
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "cli/options.h"
 
 namespace litmus {
 
@@ -15,12 +16,13 @@ enum ExitCode {
   kRendererFailed = 4,
 };
 
-void add_run(CLI::App& program, int& exit_code);
-void add_render(CLI::App& program, int& exit_code);
-void add_export(CLI::App& program, int& exit_code);
-void add_reference(CLI::App& program, int& exit_code);
-void add_compare(CLI::App& program, int& exit_code);
-void add_list(CLI::App& program, int& exit_code);
-void add_doctor(CLI::App& program, int& exit_code);
+void add_run(Program& program);
+void add_render(Program& program);
+void add_explain(Program& program);
+void add_export(Program& program);
+void add_reference(Program& program);
+void add_compare(Program& program);
+void add_list(Program& program);
+void add_doctor(Program& program);
 
 }  // namespace litmus

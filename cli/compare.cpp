@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <iostream>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -112,29 +113,28 @@ int run(const Options& options) {
 
 }  // namespace
 
-void add_compare(CLI::App& program, int& exit_code) {
+void add_compare(Program& program) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = program.add_subcommand("compare",
-                                             "Compare two image files pixel by pixel, or two "
-                                             "noisy renderers");
-  command->add_option("ours", options->ours, "EXR, PFM or PNG (PNG as linear code values)");
-  command->add_option("theirs", options->theirs, "The other one; the sign is ours - theirs");
+  Subcommand command = program.add("compare",
+                                   "Compare two image files pixel by pixel, or two "
+                                   "noisy renderers");
+  command.option("ours", options->ours, "EXR, PFM or PNG (PNG as linear code values)");
+  command.option("theirs", options->theirs, "The other one; the sign is ours - theirs");
   command
-      ->add_option(
-          "--samples", options->samples,
-          "Pairs of quoted patterns: files of one renderer with different seeds, and of the "
-          "other (8 or more each): are they the same but for noise?")
-      ->expected(2, 1 << 20);
+      .option("--samples", options->samples,
+              "Pairs of quoted patterns: files of one renderer with different seeds, and of the "
+              "other (8 or more each): are they the same but for noise?")
+      .at_least(2);
   command
-      ->add_option("--tolerance", options->tolerance,
-                   "On the largest difference; with --samples, a difference that is none")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
-  command->add_flag("--json", options->json, "For machines");
-  command->footer(
+      .option("--tolerance", options->tolerance,
+              "On the largest difference; with --samples, a difference that is none")
+      .between(0, std::numeric_limits<double>::max())
+      .with_default();
+  command.flag("--json", options->json, "For machines");
+  command.footer(
       "Example: litmus compare mine.exr theirs.exr --tolerance 1e-4\n"
       "         litmus compare --samples 'mine_*.exr' 'theirs_*.exr'");
-  command->callback([options, &exit_code] { exit_code = run(*options); });
+  command.on_run([options] { return run(*options); });
 }
 
 }  // namespace litmus

@@ -50,11 +50,11 @@ int run() {
 
 }  // namespace
 
-void add_doctor(CLI::App& program, int& exit_code) {
-  CLI::App* command =
-      program.add_subcommand("doctor", "Say what is installed and what a missing thing costs");
-  command->footer("Exit code 0: all is there; 3: something is missing.");
-  command->callback([&exit_code] { exit_code = run(); });
+void add_doctor(Program& program) {
+  Subcommand command =
+      program.add("doctor", "Say what is installed and what a missing thing costs");
+  command.footer("Exit code 0: all is there; 3: something is missing.");
+  command.on_run([] { return run(); });
 }
 
 }  // namespace litmus

@@ -36,22 +36,21 @@ int run(const Options& options) {
 
 }  // namespace
 
-void add_export(CLI::App& program, int& exit_code) {
+void add_export(Program& program) {
   auto options = std::make_shared<Options>();
   std::vector<std::string> names;
   for (const Exporter& exporter : exporters()) names.push_back(exporter.name);
-  CLI::App* command = program.add_subcommand("export", "Write a scene for another renderer");
-  command->add_option("scene", options->scene, "Scene file or canonical name")->required();
-  command->add_option("--to", options->to, "povray, blender, or json (for any other renderer)")
-      ->required()
-      ->check(CLI::IsMember(names));
-  command->add_option("-o,--output", options->output, "Folder to write into")
-      ->capture_default_str();
-  command->add_flag("--native", options->native,
-                    "What a user of that renderer would write, at best fit; its header says what "
-                    "it cannot express");
-  command->footer("Example: litmus export x3 --to blender -o exported");
-  command->callback([options, &exit_code] { exit_code = run(*options); });
+  Subcommand command = program.add("export", "Write a scene for another renderer");
+  command.option("scene", options->scene, "Scene file or canonical name").required();
+  command.option("--to", options->to, "povray, blender, or json (for any other renderer)")
+      .required()
+      .one_of(names);
+  command.option("-o,--output", options->output, "Folder to write into").with_default();
+  command.flag("--native", options->native,
+               "What a user of that renderer would write, at best fit; its header says what "
+               "it cannot express");
+  command.footer("Example: litmus export x3 --to blender -o exported");
+  command.on_run([options] { return run(*options); });
 }
 
 }  // namespace litmus

@@ -54,14 +54,14 @@ int run(bool json, const std::string& tag) {
 
 }  // namespace
 
-void add_list(CLI::App& program, int& exit_code) {
+void add_list(Program& program) {
   auto json = std::make_shared<bool>(false);
   auto tag = std::make_shared<std::string>();
-  CLI::App* command = program.add_subcommand("list", "List the canonical scenes");
-  command->add_flag("--json", *json, "For machines: name, about, light_types, tags, file");
-  command->add_option("--tag", *tag, "Only scenes with this tag");
-  command->footer("Example: litmus list --tag shadow");
-  command->callback([json, tag, &exit_code] { exit_code = run(*json, *tag); });
+  Subcommand command = program.add("list", "List the canonical scenes");
+  command.flag("--json", *json, "For machines: name, about, light_types, tags, file");
+  command.option("--tag", *tag, "Only scenes with this tag");
+  command.footer("Example: litmus list --tag shadow");
+  command.on_run([json, tag] { return run(*json, *tag); });
 }
 
 }  // namespace litmus

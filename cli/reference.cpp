@@ -37,21 +37,18 @@ int run(const Options& options) {
 
 }  // namespace
 
-void add_reference(CLI::App& program, int& exit_code) {
+void add_reference(Program& program) {
   auto options = std::make_shared<Options>();
   std::vector<std::string> names;
   for (const Driver& driver : drivers()) names.push_back(driver.name);
-  CLI::App* command = program.add_subcommand("reference", "Render a scene with POV-Ray or Blender");
-  command->add_option("scene", options->scene, "Scene file or canonical name")->required();
-  command->add_option("--with", options->with, "povray or blender")
-      ->required()
-      ->check(CLI::IsMember(names));
+  Subcommand command = program.add("reference", "Render a scene with POV-Ray or Blender");
+  command.option("scene", options->scene, "Scene file or canonical name").required();
+  command.option("--with", options->with, "povray or blender").required().one_of(names);
   command
-      ->add_option("-o,--output", options->output,
-                   "EXR file: one float part per light, ambient first")
-      ->required();
-  command->footer("Example: litmus reference s5 --with povray -o s5-povray.exr");
-  command->callback([options, &exit_code] { exit_code = run(*options); });
+      .option("-o,--output", options->output, "EXR file: one float part per light, ambient first")
+      .required();
+  command.footer("Example: litmus reference s5 --with povray -o s5-povray.exr");
+  command.on_run([options] { return run(*options); });
 }
 
 }  // namespace litmus

@@ -6,6 +6,7 @@
 #include "compare/whole_file.h"
 #include "scene/load.h"
 #include "scene/refusal.h"
+#include "tracer/explain.h"
 #include "tracer/render.h"
 
 namespace litmus {
@@ -14,14 +15,25 @@ namespace {
 struct Options {
   std::string scene, light;
   std::filesystem::path output;
-  Precision precision = Precision::Double;
+  std::string precision = "double";
   int threads = 0, width = 0, height = 0;
+  bool terms = false;
 };
 
-const std::map<std::string, Precision> kPrecisions{{"float", Precision::Float},
-                                                   {"double", Precision::Double},
-                                                   {"long-double", Precision::LongDouble},
-                                                   {"quad", Precision::Quad}};
+constexpr Precision kPrecisions[] = {Precision::Float, Precision::Double, Precision::LongDouble,
+                                     Precision::Quad};
+
+std::vector<std::string> precision_names() {
+  std::vector<std::string> names;
+  for (const Precision precision : kPrecisions) names.emplace_back(precision_name(precision));
+  return names;
+}
+
+Precision precision_of(const std::string& name) {
+  for (const Precision precision : kPrecisions)
+    if (precision_name(precision) == name) return precision;
+  return Precision::Double;
+}
 
 Picture chosen(const Rendering& rendering, const std::string& light, const Scene& scene) {
   if (light.empty() || light == "all") return rendering.whole;
@@ -41,45 +53,110 @@ void write_any(const std::filesystem::path& file, const Picture& picture) {
       "-o: {}: litmus writes .exr (32-bit float, linear) and .png (8-bit sRGB)", file.string()));
 }
 
+// ---- The terms of the equation ---------------------------------------------------------------
+
+Layer scalar_layer(const Scene& scene, const TermPicture& term, std::string_view type) {
+  Layer layer{fmt::format("{}.{}", term.light, term.term), std::string(type),
+              Picture(scene.width, scene.height)};
+  for (std::size_t i = 0; i < term.values.size(); ++i)
+    layer.picture.pixels[i] = glm::dvec3(term.values[i]);
+  return layer;
+}
+
+/// ka, kd and ks of the material seen, then each light's terms.
+Layers term_layers(const Scene& scene) {
+  Layers layers;
+  const std::vector<int> objects = objects_seen(scene);
+  for (const auto& [name, member] : {std::pair{"ka", &Material::ambient},
+                                     {"kd", &Material::diffuse},
+                                     {"ks", &Material::specular}}) {
+    layers.push_back({name, "material", Picture(scene.width, scene.height)});
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+      if (objects[i] < 0) continue;
+      const Object& object = scene.objects[std::size_t(objects[i])];
+      layers.back().picture.pixels[i] = scene.materials[std::size_t(object.material)].*member;
+    }
+  }
+  for (const TermPicture& term : term_pictures(scene)) {
+    for (const Light& light : scene.lights)
+      if (light.name == term.light) layers.push_back(scalar_layer(scene, term, light_type(light)));
+  }
+  return layers;
+}
+
+/// The colours that turn the layers into the picture again.
+Metadata term_metadata(const Scene& scene) {
+  const auto text = [](const Color& c) { return fmt::format("{} {} {}", c.x, c.y, c.z); };
+  const bool equation = scene.shading == Shading::Equation;
+  Metadata metadata;
+  Color ambient = scene.ambient;
+  for (const Light& light : scene.lights) {
+    if (equation) ambient += light.intensity * light.ambient;
+    metadata[light.name + ".Id"] = text(light.intensity * light.diffuse);
+    metadata[light.name + ".Is"] =
+        text(light.intensity * (equation ? light.specular : light.diffuse));
+  }
+  metadata["Ia"] = text(ambient);
+  metadata["picture"] =
+      equation ? "ka Ia + sum over lights of kd Id diffuse + ks Is specular"
+               : "sum over lights of lamps * visibility * ka Ia + kd Id diffuse + ks Is specular";
+  return metadata;
+}
+
+int run_terms(const Options& options, const Scene& scene) {
+  if (!options.light.empty() || options.precision != "double")
+    throw Refusal("--terms: writes all lights in double; leave out --light and --precision");
+  if (options.output.extension() != ".exr")
+    throw Refusal(fmt::format("-o: {}: --terms writes .exr", options.output.string()));
+  const Layers layers = term_layers(scene);
+  write_layers(options.output, layers, term_metadata(scene));
+  fmt::print(stderr, "{}: {} x {}, {} layers{}\n", options.output.string(), scene.width,
+             scene.height, layers.size(),
+             scene.samples > 1 ? ", at the pixels' centres: the picture is a mean of samples" : "");
+  return kPass;
+}
+
 int run(const Options& options) {
   Scene scene = load_scene(find_scene(options.scene));
   if (options.width > 0) scene.width = options.width;
   if (options.height > 0) scene.height = options.height;
-  const Rendering rendering = render(scene, {options.precision, options.threads});
+  if (options.terms) return run_terms(options, scene);
+  const Rendering rendering = render(scene, {precision_of(options.precision), options.threads});
   if (options.light == "each") {
     write_layers(options.output, rendering.layers);
   } else {
     write_any(options.output, chosen(rendering, options.light, scene));
   }
   fmt::print(stderr, "{}: {} x {}, {}, {:.3f} s\n", options.output.string(), scene.width,
-             scene.height, precision_name(options.precision), rendering.seconds);
+             scene.height, options.precision, rendering.seconds);
   return kPass;
 }
 
 }  // namespace
 
-void add_render(CLI::App& program, int& exit_code) {
+void add_render(Program& program) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = program.add_subcommand("render", "Render a scene with litmus's own tracer");
-  command->add_option("scene", options->scene, "Scene file or canonical name")->required();
+  Subcommand command = program.add("render", "Render a scene with litmus's own tracer");
+  command.option("scene", options->scene, "Scene file or canonical name").required();
   command
-      ->add_option("-o,--output", options->output,
-                   "Where to write: .exr (float, linear) or .png (sRGB)")
-      ->required();
-  command->add_option("--precision", options->precision, "float, double, long-double or quad")
-      ->transform(CLI::CheckedTransformer(kPrecisions))
-      ->default_str("double");
-  command->add_option("--light", options->light,
-                      "One light's part by its name, \"ambient\", \"all\" (default), or \"each\": "
-                      "one EXR part a light");
-  command->add_option("--threads", options->threads, "0: all; the picture does not depend on it")
-      ->check(CLI::Range(0, 1024));
-  command->add_option("--width", options->width, "Pixels, instead of the scene's")
-      ->check(CLI::Range(1, 16384));
-  command->add_option("--height", options->height, "Pixels, instead of the scene's")
-      ->check(CLI::Range(1, 16384));
-  command->footer("Example: litmus render s1 -o spot.exr --light lamp");
-  command->callback([options, &exit_code] { exit_code = run(*options); });
+      .option("-o,--output", options->output, "Where to write: .exr (float, linear) or .png (sRGB)")
+      .required();
+  command.option("--precision", options->precision, "float, double, long-double or quad")
+      .one_of(precision_names())
+      .with_default();
+  command.option("--light", options->light,
+                 "One light's part by its name, \"ambient\", \"all\" (default), or \"each\": "
+                 "one EXR part a light");
+  command.option("--threads", options->threads, "0: all; the picture does not depend on it")
+      .between(0, 1024);
+  command.option("--width", options->width, "Pixels, instead of the scene's").between(1, 16384);
+  command.option("--height", options->height, "Pixels, instead of the scene's").between(1, 16384);
+  command.flag("--terms", options->terms,
+               "Write the terms of the equation as EXR parts instead: ka, kd, ks, and for "
+               "each light LIGHT.d, .l, .q, .alpha (radians), .decay, .l.n, .h.n, .power, "
+               ".visibility, .diffuse and .specular, as far as it has them");
+  command.footer("Example: litmus render s1 -o spot.exr --light lamp");
+  command.on_run([options] { return run(*options); });
 }
 
 }  // namespace litmus

@@ -5,10 +5,13 @@
 #include <chrono>
 #include <ctime>
 #include <iterator>
+#include <map>
 
 #include "cli/commands.h"
 #include "cli/work_folder.h"
+#include "reference/candidates_file.h"
 #include "reference/stored_images.h"
+#include "reports/candidates.h"
 #include "reports/controls.h"
 #include "reports/study.h"
 #include "reports/write_html.h"
@@ -25,10 +28,10 @@ namespace fs = std::filesystem;
 
 struct Options {
   std::vector<std::string> scenes, with, require;
-  std::string sources = "auto", control, command;
+  std::string sources = "auto", control, command, candidates;
   fs::path out = "litmus-report", store = default_store_directory();
   int threads = 0, time_limit = 300;
-  bool fresh = false, refresh = false, quiet = false;
+  bool fresh = false, refresh = false, quiet = false, native = false;
 };
 
 std::vector<Scene> load_all(const std::vector<std::string>& names) {
@@ -54,6 +57,8 @@ StudyOptions study_options(const Options& options, const Store& store, const fs:
   StudyOptions study;
   study.references = options.with;
   study.control = options.control;
+  if (!options.candidates.empty()) study.candidates = load_candidates(options.candidates);
+  study.native = options.native;
   study.threads = options.threads;
   study.obtain.sources = parse_sources(options.sources);
   study.obtain.store = &store;
@@ -76,7 +81,7 @@ void keep_as_stored(std::span<const Scene> scenes, const Study& study) {
     const Case& entry = study.cases[i];
     for (std::size_t r = 0; r < entry.references.size(); ++r) {
       const CaseReference& reference = entry.references[r];
-      if (reference.source != "live") continue;
+      if (reference.source != "live" || !find_driver(reference.reference)) continue;
       StoredReference images{{}, reference.version, reference.command, reference.seconds};
       for (std::size_t k = 0; k + 1 < entry.layers.size(); ++k) {
         const CaseLayer& layer = entry.layers[k];
@@ -102,6 +107,24 @@ std::vector<std::string> missing_requirements(const Options& options, const Stud
   return missing;
 }
 
+/// What the verdict does not count: how far candidates are from the references, and the renderers'
+/// own lights from the model; and what the candidates' encodings cannot show.
+void print_candidates(const Study& study) {
+  const std::vector<InformativeLine> lines = informative_lines(study);
+  if (!lines.empty()) {
+    fmt::print("{:<16} {:<12} {:>12} {:>12} {:>12}\n", "not judged", "light type", "to litmus",
+               "to POV-Ray", "to Blender");
+    for (const InformativeLine& line : lines) {
+      fmt::print("{:<16} {:<12}", line.reference, line.light_type);
+      for (const std::optional<double>& largest : line.largest)
+        fmt::print(" {:>12}", largest ? fmt::format("{:.2g}", *largest) : "");
+      fmt::print("\n");
+    }
+  }
+  for (const CandidateNote& candidate : study.candidates)
+    if (!candidate.note.empty()) fmt::print("{}: {}\n", candidate.name, candidate.note);
+}
+
 void print_summary(const Study& study, const fs::path& out) {
   std::map<std::pair<std::string, std::string>, std::map<std::string, std::pair<double, int>>>
       worst;
@@ -112,12 +135,13 @@ void print_summary(const Study& study, const fs::path& out) {
     cell.first = std::max(cell.first, row.max_abs);
     cell.second += row.verdict == "fail";
   }
-  fmt::print("{:<12} {:<9} {:>13} {:>10} {:>7}\n", "light type", "reference", "interior max",
+  fmt::print("{:<12} {:<16} {:>13} {:>10} {:>7}\n", "light type", "reference", "interior max",
              "edge max", "failed");
   for (auto& [key, regions] : worst) {
-    fmt::print("{:<12} {:<9} {:>13.2g} {:>10.2g} {:>7}\n", key.first, key.second,
+    fmt::print("{:<12} {:<16} {:>13.2g} {:>10.2g} {:>7}\n", key.first, key.second,
                regions["interior"].first, regions["edge"].first, regions["all"].second);
   }
+  print_candidates(study);
   fmt::print("{} rows pass, {} fail, {} skipped: {}\n", verdicts["pass"], verdicts["fail"],
              verdicts["skipped"], overall_verdict(study));
   fmt::print("report: {}\n", (fs::absolute(out) / "report.html").lexically_normal().string());
@@ -157,6 +181,7 @@ int run(const Options& options) {
   write_junit(study, options.out / "junit.xml");
   write_html(study, options.out / "report.html");
   print_summary(study, options.out);
+  for (const std::string& warning : study.warnings) fmt::print(stderr, "warning: {}\n", warning);
   for (const Case& entry : study.cases) {
     for (const CaseReference& reference : entry.references) {
       if (reference.failure.empty()) continue;
@@ -182,43 +207,43 @@ std::string control_help() {
 
 }  // namespace
 
-void add_run(CLI::App& program, int& exit_code) {
+void add_run(Program& program) {
   auto options = std::make_shared<Options>();
-  CLI::App* command =
-      program.add_subcommand("run", "Compare scenes with the references and write a report");
-  command->add_option("scenes", options->scenes,
-                      "Scene files or canonical names; none: all canonical scenes");
+  options->command = program.command_line;
+  Subcommand command = program.add("run", "Compare scenes with the references and write a report");
+  command.option("scenes", options->scenes,
+                 "Scene files or canonical names; none: all canonical scenes");
   command
-      ->add_option("--references", options->sources,
-                   "auto: live where the renderer is installed, else stored images; live; stored")
-      ->check(CLI::IsMember({"auto", "live", "stored"}))
-      ->capture_default_str();
+      .option("--references", options->sources,
+              "auto: live where the renderer is installed, else stored images; live; stored")
+      .one_of({"auto", "live", "stored"})
+      .with_default();
   command
-      ->add_option("--out", options->out,
-                   "Folder for report.html, results.json, summary.md, junit.xml")
-      ->capture_default_str();
-  command->add_option("--with", options->with, "Only these references (povray,blender)")
-      ->delimiter(',');
+      .option("--out", options->out, "Folder for report.html, results.json, summary.md, junit.xml")
+      .with_default();
+  command.option("--with", options->with, "Only these references (povray,blender)")
+      .separated_by(',');
   command
-      ->add_option("--require", options->require,
-                   "Exit 4 unless these references are live (povray,blender)")
-      ->delimiter(',');
-  command->add_option("--control", options->control, control_help());
-  command
-      ->add_option("--store", options->store, "Folder that keeps rendered references between runs")
-      ->capture_default_str();
-  command->add_option("--threads", options->threads, "0: all")->check(CLI::Range(0, 1024));
-  command->add_option("--time-limit", options->time_limit, "Seconds for one process of a renderer")
-      ->check(CLI::Range(1, 86400))
-      ->capture_default_str();
-  command->add_flag("--fresh", options->fresh,
-                    "Render the references anew even if the store has them");
-  command->add_flag(
-      "--refresh", options->refresh,
-      "--fresh, and keep the live images as the stored references that ship with litmus");
-  command->add_flag("-q,--quiet", options->quiet, "No progress");
-  command->footer("Example: litmus run d2 s5 --references live --out report");
-  command->callback([options, &exit_code] { exit_code = run(*options); });
+      .option("--require", options->require,
+              "Exit 4 unless these references are live (povray,blender)")
+      .separated_by(',');
+  command.option("--candidates", options->candidates,
+                 "A litmus.toml that lists renderers of your own (examples/candidate)");
+  command.flag("--native", options->native,
+               "Measure the renderers' own lights, too; for information, never judged");
+  command.option("--control", options->control, control_help());
+  command.option("--store", options->store, "Folder that keeps rendered references between runs")
+      .with_default();
+  command.option("--threads", options->threads, "0: all").between(0, 1024);
+  command.option("--time-limit", options->time_limit, "Seconds for one process of a renderer")
+      .between(1, 86400)
+      .with_default();
+  command.flag("--fresh", options->fresh, "Render the references anew even if the store has them");
+  command.flag("--refresh", options->refresh,
+               "--fresh, and keep the live images as the stored references that ship with litmus");
+  command.flag("-q,--quiet", options->quiet, "No progress");
+  command.footer("Example: litmus run d2 s5 --references live --out report");
+  command.on_run([options] { return run(*options); });
 }
 
 }  // namespace litmus

@@ -33,6 +33,7 @@ struct ReferenceResult {
   double seconds = 0;       ///< rendering alone as the renderer reports it, all layers together
   std::string command;      ///< the command line(s) that made it, for provenance
   std::string failure;      ///< empty, or one sentence for people
+  std::string skipped;      ///< empty, or why the renderer declined the scene; then no failure
   std::filesystem::path log;
 };
 
@@ -44,12 +45,14 @@ struct Driver {
   std::string title;  ///< "POV-Ray", "Blender Cycles"
   std::string package;  ///< Debian package that installs it
   int revision = 1;   ///< raised when the driver computes something else from the same export
-  std::optional<Installation> (*find)();
+  std::function<std::optional<Installation>()> find;
   /// Text that decides the image (what is exported), for the store's key. Throws Refusal if the scene
   /// cannot be expressed.
-  std::string (*source)(const Scene&);
+  std::function<std::string(const Scene&)> source;
   /// Renders all scenes with as few processes as possible; calls the sink once per scene.
-  void (*render)(const Installation&, std::span<const Scene>, const ReferenceOptions&, const ResultSink&);
+  std::function<void(const Installation&, std::span<const Scene>, const ReferenceOptions&,
+                     const ResultSink&)>
+      render;
 };
 
 /// POV-Ray, then Blender.

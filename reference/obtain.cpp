@@ -87,6 +87,8 @@ void accept(const Job& job, ReferenceResult&& said, const ObtainOptions& options
   result.command = std::move(said.command);
   result.seconds = said.seconds;
   result.failure = std::move(said.failure);
+  result.skipped = std::move(said.skipped);
+  if (!result.skipped.empty()) return;
   if (result.failure.empty())
     if (const auto wrong = misfit(*job.scene, said.layers); !wrong.empty())
       result.failure = fmt::format("{} gave a wrong image: {}", result.reference, wrong);

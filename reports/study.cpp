@@ -5,23 +5,22 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <future>
 
-#include "compare/difference.h"
 #include "compare/regions.h"
-#include "compare/verdict.h"
-#include "reports/boundary.h"
+#include "compare/tolerances.h"
+#include "reports/alignment.h"
+#include "reports/candidates.h"
 #include "reports/controls.h"
 #include "reports/provenance.h"
 #include "reports/triage_rows.h"
+#include "reports/rows.h"
 #include "scene/refusal.h"
 #include "tracer/render.h"
 
 namespace litmus {
 namespace {
-
-constexpr std::size_t kListedPixels = 50;  // causes per row
-constexpr int kUnknownCauses = 5;  // after that many, a row is a failure and needs no more words
 
 std::vector<const Driver*> chosen_drivers(const std::vector<std::string>& names) {
   std::vector<const Driver*> chosen;
@@ -59,69 +58,23 @@ std::vector<CaseLayer> own_layers(Rendering rendering) {
     Layer& layer = rendering.layers[k];
     std::vector<std::uint8_t> edge = edge_mask(rendering.signatures[k]);
     for (std::size_t i = 0; i < edge.size(); ++i) any[i] |= edge[i];
-    layers.push_back(
-        {layer.light, layer.light_type, std::move(layer.picture), std::move(edge), {}});
+    layers.push_back({layer.light, layer.light_type, std::move(layer.picture), std::move(edge), {},
+                      {}, std::move(rendering.flags[k])});
   }
-  layers.push_back({"all", "all", std::move(rendering.whole), std::move(any), {}});
+  layers.push_back({"all", "all", std::move(rendering.whole), std::move(any), {}, {}});
   return layers;
 }
 
-Comparison row_of(const Difference& d, Region region, const Tolerance& tolerance) {
-  Comparison row;
-  row.region = name_of(region);
-  row.pixels = d.pixels, row.nonfinite = d.nonfinite, row.over_tolerance = d.over_tolerance;
-  row.bias = d.bias, row.mean_abs = d.mean_abs, row.max_abs = d.max_abs, row.max_at = d.max_at;
-  row.rmse = d.rmse, row.p50 = d.p50, row.p95 = d.p95, row.p99 = d.p99, row.p999 = d.p999;
-  row.max_relative = d.max_relative;
-  row.tolerance = tolerance.max_abs, row.mean_tolerance = tolerance.mean_abs;
-  return row;
-}
+/// Our side of a comparison: what was rendered, and the means to look again.
+struct OurSide {
+  const Scene& scene;
+  const RenderOptions& options;
+  Probe probe;
+};
 
-std::string cause_of(const Difference::Pixel& pixel, std::optional<double> distance) {
-  return distance ? fmt::format(
-                        "({}, {}) differs by {:.3g}: a boundary passes within {:.1g} px of the "
-                        "pixel's centre, and there our value is theirs",
-                        pixel.x, pixel.y, pixel.max_abs, *distance)
-                  : fmt::format("({}, {}) differs by {:.3g}: no boundary within {} px explains it",
-                                pixel.x, pixel.y, pixel.max_abs, kBoundaryPixels);
-}
-
-/// Names the cause of each edge pixel over the tolerance, and counts those with a known one.
-void explain(Comparison& row, const Difference& d, const Probe& probe, std::size_t layer,
-             const Picture& theirs) {
-  int unknown = 0;
-  for (const Difference::Pixel& pixel : d.over) {
-    if (row.causes.size() == kListedPixels || unknown == kUnknownCauses) break;
-    const auto distance = boundary_distance(probe, pixel.x, pixel.y, layer,
-                                            theirs.at(pixel.x, pixel.y), row.tolerance);
-    distance ? ++row.explained : ++unknown;
-    row.causes.push_back(cause_of(pixel, distance));
-  }
-}
-
-/// Three rows: interior, edge and all, each with its verdict.
-std::vector<Comparison> compare_layer(const CaseLayer& layer, std::size_t index,
-                                      const Picture& theirs, const std::string& reference,
-                                      const Probe& probe) {
-  const Tolerance inside = find_tolerance(reference, Region::Interior);
-  const Tolerance border = find_tolerance(reference, Region::Edge);
-  const auto measure = [&](Region region, const Tolerance& tolerance) {
-    return difference(layer.ours, theirs, layer.edge, region, tolerance.max_abs);
-  };
-  const Difference interior = measure(Region::Interior, inside),
-                   edge = measure(Region::Edge, border);
-  std::vector<Comparison> rows{row_of(interior, Region::Interior, inside),
-                               row_of(edge, Region::Edge, border),
-                               row_of(measure(Region::All, border), Region::All, border)};
-  explain(rows[1], edge, probe, index, theirs);
-  rows[2].explained = rows[1].explained;
-  const Verdict first = judge(interior, inside), second = judge(edge, border, rows[1].explained);
-  const Verdict verdicts[] = {first, second, combine(first, second)};
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    rows[i].verdict = verdicts[i].pass ? "pass" : "fail";
-    rows[i].reason = verdicts[i].reason;
-  }
-  return rows;
+/// One sigma of what an encoding's rounding does to the sum of some layers.
+double noise_of(const Encoding& encoding, std::size_t layers) {
+  return half_step(0.5, encoding) / std::sqrt(3.0) * std::sqrt(double(layers));
 }
 
 /// A row that stands for a layer with nothing to compare with.
@@ -133,12 +86,19 @@ Comparison empty_row(const ObtainedReference& reference) {
   return row;
 }
 
-void compare_with(Case& entry, const ObtainedReference& reference, const Probe& probe,
-                  std::vector<Comparison>& comparisons) {
+void add_reason(std::vector<Comparison>& rows, const std::string& note) {
+  if (note.empty()) return;
+  for (Comparison& row : rows) row.reason += (row.reason.empty() ? "" : "; ") + note;
+}
+
+void compare_with(Case& entry, const ObtainedReference& reference, const OurSide& side,
+                  std::vector<Comparison>& comparisons, const ExtraSource* extra = nullptr) {
   entry.references.push_back({reference.reference, reference.source, reference.version,
                               reference.command, reference.seconds, reference.failure,
                               reference.log});
-  const Picture whole = sum(reference.layers);
+  const Encoding encoding = extra ? extra->encoding : Encoding{};
+  const std::string tolerances_of = extra ? kToleranceOfCandidates : reference.reference;
+  const std::size_t first_row = comparisons.size();
   for (std::size_t k = 0; k < entry.layers.size(); ++k) {
     CaseLayer& layer = entry.layers[k];
     std::vector<Comparison> rows;
@@ -146,8 +106,9 @@ void compare_with(Case& entry, const ObtainedReference& reference, const Probe& 
       rows.push_back(empty_row(reference));
       layer.theirs.push_back({reference.reference, "", {}});
     } else {
-      const Picture& theirs = k < reference.layers.size() ? reference.layers[k].picture : whole;
-      rows = compare_layer(layer, k, theirs, reference.reference, probe);
+      const Picture theirs = theirs_beyond_rounding(layer.ours, reference, k, encoding);
+      rows = compare_layer(layer, k, theirs, tolerances_of, side.probe);
+      add_reason(rows, rounding_note(reference, k, encoding));
       layer.theirs.push_back({reference.reference, reference.source, theirs});
     }
     for (Comparison& row : rows) {
@@ -155,6 +116,48 @@ void compare_with(Case& entry, const ObtainedReference& reference, const Probe& 
       row.light = layer.light, row.light_type = layer.light_type;
       comparisons.push_back(std::move(row));
     }
+  }
+  if (reference.source.empty()) return;
+  Registration& registration = entry.references.back().registration;
+  registration = align(side.scene, side.options, entry, sum(reference.layers),
+                       noise_of(encoding, reference.layers.size()));
+  blame_the_camera(std::span(comparisons).subspan(first_row), registration);
+}
+
+/// Each layer of a source against that of each reference, for information.
+void compare_with_references(const Case& entry, const ObtainedReference& images,
+                             const ExtraSource& extra, std::size_t references, const Probe& probe,
+                             std::vector<Comparison>& rows) {
+  if (images.source.empty()) return;
+  for (std::size_t k = 0; k < entry.layers.size(); ++k) {
+    const CaseLayer& layer = entry.layers[k];
+    for (std::size_t r = 0; r < references; ++r) {
+      const CaseLayer::Theirs& reference = layer.theirs[r];
+      if (reference.source.empty()) continue;
+      const CaseLayer between{layer.light, layer.light_type, reference.picture, layer.edge, {}, {}};
+      const Picture theirs =
+          theirs_beyond_rounding(reference.picture, images, k, extra.encoding);
+      for (Comparison& row : compare_layer(between, k, theirs, kToleranceOfCandidates, probe)) {
+        row.scene = entry.scene, row.reference = extra.name, row.source = images.source;
+        row.light = layer.light, row.light_type = layer.light_type;
+        row.against = reference.reference;
+        rows.push_back(std::move(row));
+      }
+    }
+  }
+}
+
+/// A candidate or native export: judged rows go to the comparisons, pictures to the other ones.
+void compare_with_extra(Case& entry, const ExtraSource& extra, std::size_t scene,
+                        std::size_t references, const OurSide& side, Study& study) {
+  const ObtainedReference& images = extra.results[scene];
+  compare_with(entry, images, side, extra.judged ? study.comparisons : study.informative, &extra);
+  if (!extra.native)
+    compare_with_references(entry, images, extra, references, side.probe, study.informative);
+  if (extra.judged) return;
+  for (CaseLayer& layer : entry.layers) {
+    layer.aside.push_back(std::move(layer.theirs.back()));
+    layer.theirs.pop_back();
   }
 }
 
@@ -168,6 +171,7 @@ Study run_study(std::span<const Scene> scenes, const StudyOptions& options) {
         fmt::format("--control: there is no \"{}\"; see litmus run --help", options.control));
   }
   const auto obtained = obtain_all(scenes, drivers, options.obtain);
+  const std::vector<ExtraSource> extras = obtain_extras(scenes, options);
   Study study;
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     Scene ours = scenes[i];
@@ -186,13 +190,19 @@ Study run_study(std::span<const Scene> scenes, const StudyOptions& options) {
                rendering.seconds,
                {},
                own_layers(std::move(rendering))};
-    const Probe around = probe(ours, render_options);
+    const OurSide side{ours, render_options, probe(ours, render_options)};
     for (const auto& references : obtained)
-      compare_with(entry, references[i], around, study.comparisons);
+      compare_with(entry, references[i], side, study.comparisons);
+    for (const ExtraSource& extra : extras)
+      compare_with_extra(entry, extra, i, obtained.size(), side, study);
     study.cases.push_back(std::move(entry));
   }
+  study.warnings = tolerance_warnings(tolerances(), tolerances_file());
   add_triage(study);
   study.provenance = provenance_of(drivers);
+  for (const Candidate& candidate : options.candidates)
+    study.candidates.push_back({candidate.name, std::string(name_of(candidate.encoding)),
+                                candidate.encoding.exposure, blindness(candidate.encoding)});
   return study;
 }
 

@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "reference/candidate.h"
+#include "compare/registration.h"
 #include "compare/triage.h"
 #include "reference/obtain.h"
 #include "scene/picture.h"
@@ -25,7 +27,8 @@ struct Comparison {
   std::string source;      ///< "live" | "stored" | "" (skipped)
   std::string light;       ///< the light's name, "ambient" or "all"
   std::string light_type;  ///< "directional" | "point" | "spot" | "area" | "ambient" | "all"
-  std::string region;      ///< "interior" | "edge" | "all"
+  /// "interior" | "edge" | "all", or of a light "lit" | "penumbra" | "umbra" | "highlight"
+  std::string region;
   std::int64_t pixels = 0;
   std::int64_t nonfinite = 0;  ///< pixels that are NaN or infinite in either picture
   double bias = 0;             ///< mean of ours - theirs over pixels and channels
@@ -41,8 +44,10 @@ struct Comparison {
   double mean_tolerance = 0;   ///< on mean_abs
   std::string verdict;         ///< "pass" | "fail" | "skipped"
   std::string reason;  ///< why it failed or was skipped, or what a pass rests on; may be empty
+  std::string hint;  ///< of a failure: a factor or an encoding that would explain it; may be empty
   std::vector<std::string> causes;  ///< one sentence per listed pixel
   std::optional<Triage> triage;     ///< of failing whole pictures (light and region "all") only
+  std::string against = "litmus";   ///< whose picture stands for `ours`: litmus, or a reference
 };
 
 /// What one light adds, by litmus and by each reference.
@@ -55,6 +60,8 @@ struct CaseLayer {
   Picture ours;
   std::vector<std::uint8_t> edge;  ///< 1 where the pixel is an edge, width * height
   std::vector<Theirs> theirs;
+  std::vector<Theirs> aside;  ///< pictures of Study::informative, which nobody judges
+  std::vector<std::uint8_t> flags{};  ///< what the light does there (scene/picture.h); may be empty
 };
 
 struct CaseReference {
@@ -62,6 +69,7 @@ struct CaseReference {
   std::string version, command;   ///< of the renderer
   double seconds = 0;             ///< rendering alone, as the renderer reports it
   std::string failure, log;       ///< log: the end of its text; empty when all is well
+  Registration registration{};    ///< of our whole picture and theirs; see `unregistered`
 };
 
 struct Case {
@@ -81,16 +89,31 @@ struct Provenance {
   std::vector<std::array<std::string, 2>> versions;  ///< renderer or library, version
 };
 
+/// A candidate of the study.
+struct CandidateNote {
+  std::string name, encoding;
+  double exposure = 1;
+  std::string note;  ///< what its encoding cannot show, in words; may be empty
+};
+
 struct Study {
   Provenance provenance;
+  std::vector<std::string> warnings;  ///< of tolerances that allow too much
   std::vector<Case> cases;
   std::vector<Comparison> comparisons;
+  /// Rows for information, which decide nothing: candidates that are expected to differ, the
+  /// renderers' own lights, and every candidate against each reference (`against`). Their `verdict`
+  /// says what it would be.
+  std::vector<Comparison> informative;
+  std::vector<CandidateNote> candidates;
 };
 
 /// What a study compares, and where it takes the other side from.
 struct StudyOptions {
   std::vector<std::string> references;  ///< driver names; empty: all
   ObtainOptions obtain;
+  std::vector<Candidate> candidates;
+  bool native = false;  ///< measure the renderers' own lights, too
   std::string control;  ///< a negative control's name, or empty
   int threads = 0;      ///< of the tracer; 0: all
 };

@@ -9,6 +9,7 @@
 
 #include "compare/verdict.h"
 #include "compare/whole_file.h"
+#include "reports/gallery.h"
 #include "reports/html_case.h"
 #include "reports/html_overview.h"
 #include "reports/overview.h"
@@ -58,6 +59,27 @@ data tolerances_data() {
   return list;
 }
 
+data gallery_data() {
+  data figures{data::type::list};
+  for (const GalleryFigure& figure : gallery()) {
+    data panels{data::type::list};
+    for (const GalleryPanel& panel : figure.panels) {
+      data one;
+      one.set("label", text_data(panel.label));
+      one.set("uri", panel.uri.empty() ? flag(false) : data(panel.uri));
+      one.set("svg", panel.svg);
+      panels.push_back(one);
+    }
+    data shown;
+    shown.set("slides", figure.slides);
+    shown.set("title", figure.title);
+    shown.set("caption", figure.caption);
+    shown.set("panels", panels);
+    figures.push_back(shown);
+  }
+  return figures;
+}
+
 data page_data(const Study& study) {
   const Tally all = tally(study, [](const Comparison&) { return true; });
   const std::string verdict = overall_verdict(study);
@@ -96,6 +118,7 @@ data page_data(const Study& study) {
   page.set("reference_count",
            std::to_string(std::max<std::size_t>(1, references_of(study).size())));
   page.set("cases", std::move(cases));
+  set_list(page, "gallery", is_full_run(study) ? gallery_data() : data(data::type::list));
   page.set("provenance", provenance_data(study.provenance));
   page.set("tolerances", tolerances_data());
   page.set("results", deflated(results_json(study, -1)));

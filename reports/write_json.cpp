@@ -34,6 +34,15 @@ ordered_json provenance_json(const Provenance& p) {
           {"versions", versions}};
 }
 
+ordered_json registration_json(const Registration& r, const std::string& where) {
+  return {{"determined", r.determined},
+          {"shift_x", finite(r.dx, where + ".shift_x")},
+          {"shift_y", finite(r.dy, where + ".shift_y")},
+          {"scale", finite(r.scale, where + ".scale")},
+          {"explained", finite(r.explained, where + ".explained")},
+          {"why", r.why}};
+}
+
 ordered_json case_json(const Case& one) {
   ordered_json references = ordered_json::array();
   for (const CaseReference& r : one.references)
@@ -43,7 +52,8 @@ ordered_json case_json(const Case& one) {
          {"version", r.version},
          {"command", r.command},
          {"seconds", finite(r.seconds, one.scene + "." + r.reference + ".seconds")},
-         {"failure", r.failure}});
+         {"failure", r.failure},
+         {"registration", registration_json(r.registration, one.scene + "." + r.reference)}});
   return {{"scene", one.scene},       {"file", one.file},
           {"about", one.about},       {"tags", one.tags},
           {"warnings", one.warnings}, {"width", one.width},
@@ -65,11 +75,13 @@ ordered_json comparison_json(const Comparison& row) {
   json["mean_tolerance"] = finite(row.mean_tolerance, row.scene + ".mean_tolerance");
   json["verdict"] = row.verdict;
   json["reason"] = row.reason;
+  json["hint"] = row.hint;
   json["causes"] = row.causes;
   if (row.triage)
     json["triage"] = {{"ldr_flip", finite(row.triage->ldr_flip, row.scene + ".ldr_flip")},
                       {"hdr_flip", finite(row.triage->hdr_flip, row.scene + ".hdr_flip")},
                       {"ssim", finite(row.triage->ssim, row.scene + ".ssim")}};
+  json["against"] = row.against;
   return json;
 }
 
@@ -79,11 +91,21 @@ std::string results_json(const Study& study, int indent) {
   ordered_json json{{"schema_version", kResultsSchemaVersion},
                     {"verdict", overall_verdict(study)},
                     {"provenance", provenance_json(study.provenance)},
+                    {"warnings", study.warnings},
                     {"cases", ordered_json::array()},
-                    {"comparisons", ordered_json::array()}};
+                    {"comparisons", ordered_json::array()},
+                    {"informative", ordered_json::array()},
+                    {"candidates", ordered_json::array()}};
   for (const Case& one : study.cases) json["cases"].push_back(case_json(one));
   for (const Comparison& row : study.comparisons)
     json["comparisons"].push_back(comparison_json(row));
+  for (const Comparison& row : study.informative)
+    json["informative"].push_back(comparison_json(row));
+  for (const CandidateNote& one : study.candidates)
+    json["candidates"].push_back({{"name", one.name},
+                                  {"encoding", one.encoding},
+                                  {"exposure", one.exposure},
+                                  {"note", one.note}});
   // A byte that is not UTF-8 becomes U+FFFD.
   return json.dump(indent, ' ', false, ordered_json::error_handler_t::replace);
 }

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "compare/whole_file.h"
+#include "reports/candidates.h"
 #include "reports/overview.h"
 #include "reports/plain_text.h"
 
@@ -90,6 +91,26 @@ std::string types_text(const Study& study) {
   return text + "\n";
 }
 
+// What the verdict does not count, and what the candidates' encodings cannot show.
+std::string informative_text(const Study& study) {
+  std::string text;
+  const std::vector<InformativeLine> lines = informative_lines(study);
+  if (!lines.empty())
+    text +=
+        "## For information, not judged\n\nThe largest interior difference to each.\n\n"
+        "| | light type | litmus | POV-Ray | Blender |\n|---|---|--:|--:|--:|\n";
+  for (const InformativeLine& line : lines) {
+    text += fmt::format("| {} | {} |", cell(reference_title(line.reference)), cell(line.light_type));
+    for (const std::optional<double>& largest : line.largest)
+      text += fmt::format(" {} |", largest ? short_number(*largest) : "");
+    text += "\n";
+  }
+  if (!lines.empty()) text += "\n";
+  for (const CandidateNote& one : study.candidates)
+    if (!one.note.empty()) text += fmt::format("{}: {}\n\n", cell(one.name), cell(one.note, 2000));
+  return text;
+}
+
 // One line per reason, because a missing renderer skips hundreds of rows.
 std::string skipped_text(const Study& study) {
   std::map<std::string, int> reasons;
@@ -133,7 +154,8 @@ std::string markdown(const Study& study) {
       overall_verdict(study), headline(study), counted(all.rows, "comparison", "comparisons"),
       counted((long long)(study.cases.size()), "scene", "scenes"), all.passed, all.failed,
       all.skipped, sources);
-  text += failures_text(study) + broken_text(study) + types_text(study) + skipped_text(study) +
+  text += failures_text(study) + broken_text(study) + types_text(study) + informative_text(study) +
+          skipped_text(study) +
           provenance_text(study.provenance);
   if (text.size() <= kMarkdownLimit) return text;
   constexpr std::string_view kCut = "\n\nThe rest is in results.json.\n";

@@ -21,6 +21,7 @@ inline Scene sample_scene(const std::string& name, double ambient = 0.1) {
   scene.name = name;
   scene.width = 6;
   scene.height = 4;
+  scene.camera.up = {0, 1, 0};
   scene.ambient = Color(ambient);
   scene.materials.push_back({});
   scene.objects.push_back({"ball", Sphere{}, 0, true});

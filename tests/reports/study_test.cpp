@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -71,7 +72,11 @@ TEST(Agreement, CoversEverySceneLightTypeReferenceAndRegion) {
     types.insert(row.light_type + " " + row.reference + " " + row.region);
     scenes.insert(row.scene + " " + row.reference);
   }
-  EXPECT_EQ(types.size(), 6u * 2 * 3);
+  // Interior, edge and all of six types; what is lit, in the umbra and shiny of four types of
+  // light; and the penumbra of area lights.
+  EXPECT_EQ(types.size(), 6u * 2 * 3 + 4 * 2 * 3 + 2);
+  for (const char* reference : {"povray ", "blender "})
+    EXPECT_TRUE(types.contains(std::string("area ") + reference + "penumbra"));
   EXPECT_EQ(scenes.size(), canonical().size() * 2);
 }
 
@@ -97,6 +102,22 @@ TEST(Agreement, OfOurLayersAddsUpToOurWhole) {
     EXPECT_LE(d.max_abs, 1e-13) << scene.name;
   }
 }
+
+TEST(Agreement, IsOfCamerasToo) {
+  int determined = 0;
+  for (const Case& entry : study_of("").cases) {
+    for (const CaseReference& reference : entry.references) {
+      const Registration& found = reference.registration;
+      if (!found.determined) continue;
+      ++determined;
+      EXPECT_LT(std::hypot(found.dx, found.dy), 1e-3) << entry.scene << ", " << reference.reference;
+      EXPECT_NEAR(found.scale, 1, 1e-5) << entry.scene << ", " << reference.reference;
+    }
+  }
+  EXPECT_GE(determined, 50);
+}
+
+TEST(Agreement, RestsOnNoToleranceThatIsTooWide) { EXPECT_TRUE(study_of("").warnings.empty()); }
 
 /// What a control changes in our own pictures, which decides the rows that must fail. Rows that
 /// change by about a tolerance may do either.
@@ -159,6 +180,43 @@ std::set<std::string> failing_types(const std::string& control) {
   }
   types.erase("all");
   return types;
+}
+
+TEST_P(NegativeControl, IsCalledUnregisteredWhereItMovesTheCameraAndNowhereElse) {
+  const bool moves_the_camera = GetParam().name == "half-pixel";
+  for (const Comparison& row : study_of(std::string(GetParam().name)).comparisons) {
+    if (row.reason.find("unregistered") == std::string::npos) continue;
+    EXPECT_TRUE(moves_the_camera) << row.scene << ", " << row.light << ": " << row.reason;
+  }
+}
+
+TEST(NegativeControl, OfHalfAPixelIsUnregisteredWhereverTheSceneTells) {
+  const Study& study = study_of("half-pixel");
+  std::set<std::string> called;
+  for (const Case& entry : study.cases) {
+    for (const CaseReference& reference : entry.references) {
+      const Registration& found = reference.registration;
+      if (!found.determined) continue;
+      called.insert(entry.scene + " " + reference.reference);
+      EXPECT_NEAR(found.dx, -0.5, 0.01) << entry.scene;
+      EXPECT_NEAR(found.dy, 0, 0.01) << entry.scene;
+      EXPECT_NE(unregistered(found), "") << entry.scene << ", explained " << found.explained;
+    }
+  }
+  EXPECT_GE(called.size(), 28u);
+  for (const Comparison& row : study.comparisons) {
+    if (row.verdict != "fail") continue;
+    EXPECT_EQ(row.reason.starts_with("unregistered: shifted by (-0.5, 0) px"),
+              called.contains(row.scene + " " + row.reference))
+        << row.scene << ", " << row.light << ": " << row.reason;
+  }
+}
+
+TEST(NegativeControl, OfTheIntensityIsNamedByTheHint) {
+  for (const Comparison& row : study_of("intensity").comparisons) {
+    if (row.verdict != "fail" || row.light_type == "all" || row.light_type == "ambient") continue;
+    EXPECT_EQ(row.hint, "ours is 1.01 times theirs") << row.scene << ", " << row.light;
+  }
 }
 
 TEST(NegativeControl, OfTheCutoffFailsSpotsOnly) {

@@ -1,0 +1,226 @@
+// gallery.cpp: the seminar's figures, drawn by the tracer's formulas and rendered by the tracer.
+#include "reports/gallery.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "reports/pictures.h"
+#include "reports/plain_text.h"
+#include "scene/load.h"
+#include "tracer/lights.h"
+#include "tracer/render.h"
+
+namespace litmus {
+namespace {
+
+constexpr int kWidth = 160;  // of a panel, pixels
+
+Scene small_scene(const std::string& name) {
+  Scene scene = load_scene(find_scene(name));
+  scene.height = scene.height * kWidth / scene.width;
+  scene.width = kWidth;
+  scene.samples = 2;
+  return scene;
+}
+
+Rendering rendered(const Scene& scene, int threads) {
+  RenderOptions options;
+  options.threads = threads;
+  return render(scene, options);
+}
+
+GalleryPanel panel(const std::string& label, const Scene& scene, int threads) {
+  return {label, picture_uri(rendered(scene, threads).whole), ""};
+}
+
+// ---- Drawings -------------------------------------------------------------------------------
+
+constexpr double kPlotWidth = 340, kPlotHeight = 200, kLeft = 34, kBottom = 28, kTop = 8;
+
+std::string polyline(const std::string& points, const char* dashes) {
+  return fmt::format("<polyline points=\"{}\" stroke-dasharray=\"{}\"/>", points, dashes);
+}
+
+// Slide 12: what is left of the intensity at a distance of x ranges.
+std::string attenuation_curves() {
+  struct Curve {
+    const char *name, *dashes;
+    double linear, quadratic;
+  };
+  constexpr Curve kCurves[] = {
+      {"a", "", 1, 0}, {"b", "7 3", 0, 1}, {"c", "2 3", 0.5, 0.5}, {"d", "10 3 2 3", 0, 0}};
+  constexpr double kReach = 4;  // ranges
+  constexpr int kSteps = 80;
+  const auto across = [](double x) { return kLeft + x / kReach * (kPlotWidth - kLeft - 24); };
+  const auto up = [](double y) {
+    return kPlotHeight - kBottom - y * (kPlotHeight - kBottom - kTop);
+  };
+  std::string svg = fmt::format(
+      "<svg viewBox=\"0 0 {} {}\" class=\"figure\" role=\"img\" "
+      "aria-label=\"four attenuation curves\">",
+      kPlotWidth, kPlotHeight);
+  for (int i = 0; i <= 4; ++i)
+    svg += fmt::format(
+        "<line x1=\"{0:.1f}\" y1=\"{1:.1f}\" x2=\"{2:.1f}\" y2=\"{1:.1f}\"/>"
+        "<text x=\"{3:.1f}\" y=\"{4:.1f}\" text-anchor=\"end\">{5}</text>"
+        "<text x=\"{6:.1f}\" y=\"{7:.1f}\" text-anchor=\"middle\">{8}</text>",
+        kLeft, up(i / 4.0), across(kReach), kLeft - 5, up(i / 4.0) + 4, i / 4.0, across(i),
+        kPlotHeight - 14, i);
+  for (const Curve& curve : kCurves) {
+    std::string points;
+    double last = 1;
+    for (int i = 0; i <= kSteps; ++i) {
+      const double x = kReach * i / kSteps;
+      last = linear_attenuation(x, curve.linear) * quadratic_attenuation(x, curve.quadratic);
+      points += fmt::format("{:.1f},{:.1f} ", across(x), up(last));
+    }
+    svg += polyline(points, curve.dashes);
+    svg += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\">{})</text>", across(kReach) + 5,
+                       up(last) + 4, curve.name);
+  }
+  return svg + fmt::format(
+                   "<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">distance / "
+                   "range</text></svg>",
+                   across(kReach / 2), kPlotHeight - 1);
+}
+
+// Slide 20: the samples of an area light with its frame, seen from the side and above.
+std::string area_setup(const AreaLight& light) {
+  const AreaFrame<double> frame = area_frame<double>(light);
+  const Vec<double> origin(light.point.origin);
+  const auto place = [&](const Vec<double>& point) {
+    const Vec<double> p = point - origin;
+    // Parallel projection: x to the right, y into the depth, z up.
+    return std::pair(170 + 95 * (p.x + 0.45 * p.y), 92 - 95 * (p.z + 0.35 * p.y));
+  };
+  const auto line = [&](const Vec<double>& to, const char* name, const char* what) {
+    const auto [x0, y0] = place(origin);
+    const auto [x1, y1] = place(to);
+    return fmt::format(
+        "<line class=\"{}\" x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" "
+        "y2=\"{:.1f}\"/><text x=\"{:.1f}\" y=\"{:.1f}\">{}</text>",
+        name, x0, y0, x1, y1, x1 + 4, y1 + 4, what);
+  };
+  std::string svg = fmt::format(
+      "<svg viewBox=\"0 0 {} {}\" class=\"figure\" role=\"img\" "
+      "aria-label=\"the grid of an area light and its frame\">",
+      kPlotWidth, kPlotHeight);
+  std::string corners;
+  const Vec<double> r = light.width / 2 * frame.right, u = light.height / 2 * frame.up;
+  for (const Vec<double>& corner :
+       {origin - r - u, origin + r - u, origin + r + u, origin - r + u}) {
+    const auto [x, y] = place(corner);
+    corners += fmt::format("{:.1f},{:.1f} ", x, y);
+  }
+  svg += fmt::format("<polygon points=\"{}\"/>", corners);
+  for (const Vec<double>& sample : area_samples<double>(light)) {
+    const auto [x, y] = place(sample);
+    svg += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3\"/>", x, y);
+  }
+  svg += line(origin + frame.normal, "axis", "normal");
+  svg += line(origin + 1.25 * frame.right, "axis", "right");
+  svg += line(origin + frame.up, "axis", "up' = n × right");
+  return svg + "</svg>";
+}
+
+// ---- Figures --------------------------------------------------------------------------------
+
+GalleryFigure one_render(const char* slides, const char* title, const char* caption,
+                         const char* scene, int threads) {
+  return {slides, title, caption, {panel(scene, small_scene(scene), threads)}};
+}
+
+GalleryFigure linear_against_quadratic(int threads) {
+  GalleryFigure figure{"slide 13",
+                       "Linear against quadratic attenuation",
+                       "The same lamp: linear attenuation 1, then quadratic attenuation 1.",
+                       {}};
+  for (const bool quadratic : {false, true}) {
+    Scene scene = small_scene("x2");
+    Attenuation& attenuation = std::get<PointLight>(scene.lights[0].shape).attenuation;
+    attenuation.linear = quadratic ? 0 : 1, attenuation.quadratic = quadratic ? 1 : 0;
+    figure.panels.push_back(panel(quadratic ? "quadratic" : "linear", scene, threads));
+  }
+  return figure;
+}
+
+GalleryFigure exponents(int threads) {
+  GalleryFigure figure{"slide 17",
+                       "Exponent difference",
+                       "The same spot: a large exponent keeps the light up to the cone's border.",
+                       {}};
+  for (const int exponent : {3, 30}) {
+    Scene scene = small_scene("x3");
+    std::get<SpotLight>(scene.lights[0].shape).exponent = exponent;
+    figure.panels.push_back(panel(fmt::format("exponent = {}", exponent), scene, threads));
+  }
+  return figure;
+}
+
+// |a - b| per channel.
+Picture apart(const Picture& a, const Picture& b) {
+  Picture result(a.width, a.height);
+  for (std::size_t i = 0; i < result.pixels.size(); ++i)
+    for (int c = 0; c < 3; ++c) result.pixels[i][c] = std::abs(a.pixels[i][c] - b.pixels[i][c]);
+  return result;
+}
+
+GalleryFigure equation_against_code(int threads) {
+  GalleryFigure figure{
+      "slide 5",
+      "The equation against the sample code",
+      "Slide 5 gives both, and they differ: the code adds the ambient light once "
+      "for every light in view, colours highlights by the diffuse colour and lets "
+      "them shine where the light is behind the surface. Below each light: |code - "
+      "equation|, as bright as it is.",
+      {}};
+  Scene scene = small_scene("x5");
+  const Rendering equation = rendered(scene, threads);
+  scene.shading = Shading::SampleCode;
+  const Rendering code = rendered(scene, threads);
+  figure.panels.push_back({"equation", picture_uri(equation.whole), ""});
+  figure.panels.push_back({"sample code", picture_uri(code.whole), ""});
+  for (std::size_t k = 0; k < code.layers.size(); ++k)
+    figure.panels.push_back({fmt::format("difference: {}", clean_text(code.layers[k].light)),
+                             picture_uri(apart(code.layers[k].picture, equation.layers[k].picture)),
+                             ""});
+  return figure;
+}
+
+}  // namespace
+
+bool is_full_run(const Study& study) {
+  std::set<std::string> names;
+  for (const Case& one : study.cases) names.insert(one.scene);
+  const std::vector<std::filesystem::path> files = canonical_scenes();
+  return !files.empty() && std::all_of(files.begin(), files.end(), [&](const auto& file) {
+    return names.contains(file.stem().string());
+  });
+}
+
+std::vector<GalleryFigure> gallery(int threads) {
+  const Scene area = small_scene("x4");
+  return {
+      equation_against_code(threads),
+      one_render("slide 7", "Sun light", "Parallel rays, equal everywhere.", "x1", threads),
+      one_render("slide 9", "Point light", "Weaker with distance.", "x2", threads),
+      {"slide 12",
+       "Attenuation curves",
+       "What is left of the intensity: a) linear attenuation 1, b) quadratic 1, c) 0.5 of both, d) "
+       "none.",
+       {{"", "", attenuation_curves()}}},
+      linear_against_quadratic(threads),
+      one_render("slide 14", "Spot light", "A point light in a cone.", "x3", threads),
+      exponents(threads),
+      one_render("slide 18", "Area light", "A grid of point lights.", "x4", threads),
+      {"slide 20",
+       "Area light setup",
+       "The samples and the frame of the area light on slide 18's picture; its normal looks at the "
+       "scene's origin.",
+       {{"", "", area_setup(std::get<AreaLight>(area.lights[0].shape))}}},
+  };
+}
+
+}  // namespace litmus
