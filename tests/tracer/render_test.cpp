@@ -292,8 +292,12 @@ TEST(Flags, TellAPenumbraByTheLampsInView) {
   for (std::size_t i = 0; i < result.flags[1].size(); ++i) {
     const std::uint8_t flags = result.flags[1][i];
     ++counts[flags];
-    if (flags == kUmbra) ASSERT_EQ(result.whole.pixels[i], Color(0));
-    if (flags == kLit || flags == kPenumbra) ASSERT_GT(result.whole.pixels[i].x, 0);
+    if (flags == kUmbra) {
+      ASSERT_EQ(result.whole.pixels[i], Color(0));
+    }
+    if (flags == kLit || flags == kPenumbra) {
+      ASSERT_GT(result.whole.pixels[i].x, 0);
+    }
   }
   EXPECT_GT(counts[kLit], 0);
   EXPECT_GT(counts[kPenumbra], 0);
