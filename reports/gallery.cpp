@@ -173,7 +173,7 @@ GalleryFigure equation_against_code(int threads) {
       "The equation against the sample code",
       "Slide 5 gives both, and they differ: the code adds the ambient light once "
       "for every light in view, colours highlights by the diffuse colour and lets "
-      "them shine where the light is behind the surface. Below each light: |code - "
+      "them shine where the light is behind the surface. Then light by light: |code - "
       "equation|, as bright as it is.",
       {}};
   Scene scene = small_scene("x5");

@@ -17,7 +17,7 @@ function writeChoices() {
   pressed("kind-log", view.kind === "log");
   pressed("grey", view.grey);
   pressed("column", view.column);
-  $("stops").textContent = view.stops ? `${view.stops > 0 ? "+" : "−"}${Math.abs(view.stops)} stops` : "exposure";
+  $("stops").textContent = view.stops ? `${view.stops > 0 ? "+" : "−"}${Math.abs(view.stops)} stop${Math.abs(view.stops) === 1 ? "" : "s"}` : "exposure";
   $("split").value = view.split;
 }
 
@@ -125,9 +125,14 @@ addEventListener("click", (event) => {
   const { scene, layer, reference, show } = button.dataset;
   picturesOf(scene).then((data) => openViewer(scene, data.layers[layer].light, reference, { show }));
 });
-viewer.addEventListener("close", () => {
+function closeViewer() {
   clearTimeout(address);
+  viewer.close();
   history.replaceState(null, "", `#${view.anchor}-l${view.layer}`);
+}
+viewer.addEventListener("cancel", (event) => {  // Escape
+  event.preventDefault();
+  closeViewer();
 });
 
 // ---- Buttons and keys ------------------------------------------------------------------------
@@ -188,7 +193,7 @@ for (const [id, action] of Object.entries({
   "kind-share": () => change({ kind: "share" }), "kind-log": () => change({ kind: "log" }),
   grey: kActions.g, column: kActions.c, "zoom-in": () => zoomBy(1.5), "zoom-out": () => zoomBy(1 / 1.5),
   "zoom-fit": kActions[0], darker: () => expose(-1), brighter: () => expose(1), stops: () => change({ stops: 0 }),
-  pin: () => togglePin(), worst: kActions.w, "viewer-close": () => viewer.close(),
+  pin: () => togglePin(), worst: kActions.w, "viewer-close": closeViewer,
   "copy-link": () => copy(location.href.split("#")[0] + addressNow(), "copy-link"),
   "copy-command": () => copy($("command").textContent, "copy-command"),
 })) $(id).addEventListener("click", action);

@@ -110,9 +110,9 @@ inline void add_case(Study& study, const SampleCase& sample, int width = 64, int
   const Picture ambient = ball(width, height, 0.8, 0.1), lit = ball(width, height, 0.8, 0.9);
   Picture whole = ambient;
   for (std::size_t i = 0; i < whole.pixels.size(); ++i) whole.pixels[i] += lit.pixels[i];
-  one.layers = {{"ambient", "ambient", ambient, edge, {}},
-                {sample.light, sample.light_type, lit, edge, {}},
-                {"all", "all", whole, edge, {}}};
+  one.layers = {{"ambient", "ambient", ambient, edge, {}, {}},
+                {sample.light, sample.light_type, lit, edge, {}, {}},
+                {"all", "all", whole, edge, {}, {}}};
   for (CaseLayer& layer : one.layers) {
     const bool is_ambient = layer.light == "ambient";
     Picture povray = disturbed(layer.ours, edge, is_ambient ? 1e-8 : sample.povray, 1e-7);

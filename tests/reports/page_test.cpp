@@ -1,0 +1,215 @@
+// page_test.cpp: the page in a browser (headless Chromium): no error, no request, and what a person
+// clicks, flips, zooms and reads is right. Skipped where Chromium is not installed.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "reference/stored_images.h"
+#include "reports/write_html.h"
+#include "scene/load.h"
+#include "tests/reports/sample_study.h"
+
+namespace litmus {
+namespace {
+namespace fs = std::filesystem;
+using nlohmann::json;
+using ::testing::EndsWith;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+
+constexpr double kHalf = 1.0 / 2048;  // half floats round to this part of a value
+
+// Collects errors, refused requests and alerts from the start.
+constexpr const char* kWatch = R"(<script nonce="litmus">
+window.pageErrors = []; window.alerts = 0; window.wanted = WANTED;
+window.alert = () => { window.alerts += 1; };
+addEventListener("error", (e) => window.pageErrors.push(e.message), true);
+addEventListener("unhandledrejection", (e) => window.pageErrors.push(String(e.reason && e.reason.stack)));
+addEventListener("securitypolicyviolation", (e) => window.pageErrors.push("refused: " + e.blockedURI));
+</script>)";
+
+std::string text_of(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+bool has_chromium() { return std::system("command -v chromium >/dev/null 2>&1") == 0; }
+
+struct Visit {
+  std::string dom, console;
+};
+
+/// Opens the page; with `budget`, in milliseconds, lets it run so long by its own clock.
+Visit visit(const std::string& page, int budget) {
+  std::string name = (fs::temp_directory_path() / "litmus-page-XXXXXX").string();
+  const fs::path folder = ::mkdtemp(name.data());
+  std::ofstream(folder / "report.html", std::ios::binary) << page;
+  const std::string clock =
+      budget > 0 ? " --virtual-time-budget=" + std::to_string(budget) : std::string();
+  const std::string command =
+      "cd '" + folder.string() +
+      "' && timeout 240 chromium --headless --no-sandbox --disable-gpu --disable-quic "
+      "--no-first-run --disable-background-networking --disable-component-update --disable-sync "
+      "--enable-logging=stderr --window-size=1280,900 --user-data-dir=profile --dump-dom" +
+      clock + " \"file://$PWD/report.html\" >dom 2>log";
+  EXPECT_EQ(std::system(command.c_str()), 0) << text_of(folder / "log");
+  Visit result{text_of(folder / "dom"), ""};
+  std::istringstream log(text_of(folder / "log"));
+  for (std::string line; std::getline(log, line);)
+    if (line.find("CONSOLE") != std::string::npos) result.console += line + "\n";
+  fs::remove_all(folder);
+  return result;
+}
+
+std::string unescaped(const std::string& text) {
+  std::string plain;
+  for (std::size_t i = 0; i < text.size(); ++i)
+    if (text[i] == '%') {
+      plain += char(std::stoi(text.substr(i + 1, 2), nullptr, 16));
+      i += 2;
+    } else {
+      plain += text[i];
+    }
+  return plain;
+}
+
+/// What page_test.js saw on the page; the pixels are x, y.
+json seen_on(std::string page, const json& wanted) {
+  std::string watch = kWatch;
+  watch.replace(watch.find("WANTED"), 6, wanted.dump());
+  page.insert(page.find("<meta charset"), watch);
+  const fs::path script = fs::path(__FILE__).parent_path() / "page_test.js";
+  page.insert(page.rfind("</body>"), "<script nonce=\"litmus\">" + text_of(script) + "</script>");
+  const Visit result = visit(page, 60'000);
+  const std::string mark = "<pre id=\"seen\">";
+  const std::size_t start = result.dom.find(mark);
+  if (start == std::string::npos) {
+    ADD_FAILURE() << "the walk did not end\n" << result.console;
+    return {};
+  }
+  const std::size_t from = start + mark.size();
+  json seen =
+      json::parse(unescaped(result.dom.substr(from, result.dom.find("</pre>", from) - from)));
+  seen["console"] = result.console;
+  return seen;
+}
+
+Study stored_study(const char* name) {
+  StudyOptions options;
+  options.obtain.sources = Sources::Stored;
+  const std::vector<Scene> scenes{load_scene(find_scene(name))};
+  return run_study(scenes, options);
+}
+
+class PageInABrowser : public ::testing::Test {
+  void SetUp() override {
+    if (!has_chromium())
+      GTEST_SKIP() << "SKIPPED: chromium is not installed, so nobody opened the page";
+  }
+};
+
+TEST_F(PageInABrowser, ReadsThePixelsOfTheStoredImages) {
+  const Study study = stored_study("c2-diffuse-and-specular");
+  const Case& one = study.cases[0];
+  const Scene scene = load_scene(find_scene(one.scene));
+  const json wanted{{one.width / 2, one.height / 2}, {one.width / 3, one.height / 3}, {5, 7}};
+  const json seen = seen_on(html(study), wanted);
+  ASSERT_THAT(seen["errors"], IsEmpty());
+  ASSERT_EQ(seen["pixels"].size(), one.layers.size() * one.references.size() * wanted.size());
+  double largest = 0;
+  for (const json& pixel : seen["pixels"]) {
+    const std::size_t k = pixel["layer"], r = pixel["reference"];
+    const int x = pixel["at"][0], y = pixel["at"][1];
+    EXPECT_THAT(pixel["said"].get<std::string>(),
+                HasSubstr("pixel " + std::to_string(x) + ", " + std::to_string(y)));
+    const glm::dvec3 ours = one.layers[k].ours.at(x, y);
+    glm::dvec3 theirs = one.layers[k].theirs[r].picture.at(x, y);
+    if (k + 1 < one.layers.size()) {
+      const StoredLookup stored = load_stored(scene, one.references[r].reference);
+      ASSERT_TRUE(stored.images) << stored.reason;
+      theirs = stored.images->layers[k].picture.at(x, y);
+    }
+    for (int c = 0; c < 3; ++c) {
+      const double d = ours[c] - theirs[c];
+      EXPECT_NEAR(pixel["values"][0][c].get<double>(), ours[c], kHalf * ours[c] + 1e-12);
+      EXPECT_NEAR(pixel["values"][1][c].get<double>(), theirs[c], kHalf * ours[c] + 1e-7);
+      EXPECT_NEAR(pixel["values"][2][c].get<double>(), d, kHalf * std::abs(d) + 5e-8);
+      largest = std::max(largest, ours[c]);
+    }
+  }
+  EXPECT_GT(largest, 0.1) << "else only black was read";
+}
+
+TEST_F(PageInABrowser, FlipsZoomsPinsAndRestoresAView) {
+  const Study study = stored_study("s10-spot-shadow");
+  const json seen = seen_on(html(study), {{60, 40}, {30, 20}});
+  EXPECT_THAT(seen["errors"], IsEmpty());
+  EXPECT_TRUE(seen["painted"]);
+  EXPECT_TRUE(seen["opened"]);
+  EXPECT_EQ(seen["flips"], json({"show-ours", "show-theirs", "show-difference", "show-theirs",
+                                 "show-slider", "show-side", "show-ours"}));
+  EXPECT_TRUE(seen["zoomedIn"]);
+  EXPECT_EQ(seen["zoomMost"], 96) << "screen pixels for one pixel";
+  EXPECT_TRUE(seen["zoomFit"]);
+  EXPECT_EQ(seen["pins"], 2);
+  EXPECT_THAT(seen["moved"].get<std::string>(), HasSubstr("pixel 31, 20"));
+  EXPECT_EQ(seen["stops"], "+1 stop");
+  EXPECT_EQ(seen["ticks"], 7);
+  EXPECT_GT(seen["plots"], 5);
+  EXPECT_EQ(seen["command"],
+            "litmus run s10-spot-shadow --references stored\n"
+            "litmus explain s10-spot-shadow 31 20");
+  EXPECT_THAT(seen["address"].get<std::string>(), HasSubstr("pins=60%2C40%3B30%2C20"));
+  EXPECT_TRUE(seen["closed"]);
+  EXPECT_EQ(seen["restored"], seen["address"]);
+}
+
+TEST_F(PageInABrowser, HasNoErrorAsksNothingAndLeavesHostileTextInert) {
+  const Study study = mixed_study();
+  const json seen = seen_on(html(study), {{20, 12}});
+  EXPECT_THAT(seen["errors"], IsEmpty());
+  EXPECT_EQ(seen["console"], "");
+  EXPECT_THAT(seen["requests"], IsEmpty());
+  EXPECT_EQ(seen["unpainted"], 0);
+  EXPECT_EQ(seen["alerts"], 0);
+  EXPECT_EQ(seen["foreign"], 0) << "the page makes no such element itself";
+  EXPECT_EQ(seen["rows"], (json{{"all", 7}, {"fail", 2}, {"spotFail", 0}, {"spot", 1}}));
+  EXPECT_EQ(seen["columns"], 1);
+}
+
+// The control of the test above: the watch sees what it looks for.
+TEST_F(PageInABrowser, IsWatchedForErrorsRequestsAndForeignElements) {
+  std::string page = html(passing_study());
+  page.insert(page.find("<main"),
+              "<img src=x onerror=alert(1)><script nonce=\"litmus\">missing();</script>");
+  const json seen = seen_on(page, {{20, 12}});
+  EXPECT_GE(seen["errors"].size(), 3u) << "the image, its handler and the script";
+  EXPECT_THAT(seen["console"].get<std::string>(), HasSubstr("missing is not defined"));
+  EXPECT_EQ(seen["foreign"], 1);
+}
+
+TEST_F(PageInABrowser, AnswersSoon) {
+  Study study = with_provenance();
+  for (int i = 0; i < 33; ++i)
+    add_case(study, {"scene-" + std::to_string(i), "key", "point"}, 160, 120);
+  const std::string page = html(study);
+  const Visit result = visit(page, 0);
+  const std::size_t at = result.dom.find("data-ready=\"");
+  ASSERT_NE(at, std::string::npos) << result.console;
+  const int ready = std::stoi(result.dom.substr(at + 12));
+  RecordProperty("ready_ms", ready);
+  std::printf("%.1f MB, interactive after %d ms\n", double(page.size()) / 1e6, ready);
+  EXPECT_LT(ready, 5000) << "1000 on a machine with nothing else to do";
+}
+
+}  // namespace
+}  // namespace litmus
