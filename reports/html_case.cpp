@@ -94,6 +94,7 @@ data row_data(const Comparison& row) {
   result.set("verdict", text_data(row.verdict));
   result.set("mark", mark_of(row.verdict));
   result.set("reason", text_data(row.reason));
+  result.set("hint", row.hint.empty() || row.region == "all" ? flag(false) : text_data(row.hint));
   result.set("has_reason", flag(!row.reason.empty()));
   result.set("show_reason", flag(!row.reason.empty() && row.pixels > 0 && row.region != "all"));
   result.set("has_figures", flag(row.verdict != "skipped" && row.pixels > 0));
@@ -261,7 +262,6 @@ data case_data(const Study& study, const Case& one, bool open) {
   result.set("scene_anchor", case_anchor(study, one));
   result.set("width", std::to_string(one.width));
   result.set("height", std::to_string(one.height));
-  result.set("pictures", script_safe(pictures_json(study, one)));
   result.set("scene", text_data(one.scene));
   result.set("about", text_data(one.about));
   result.set("file", text_data(one.file));

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <map>
 
+#include "reports/candidates.h"
 #include "reports/html_case.h"
 #include "reports/overview.h"
 #include "reports/pictures.h"
@@ -44,6 +45,7 @@ data failure_data(const Study& study, const Comparison& row) {
   result.set("reference", text_data(reference_title(row.reference)));
   result.set("region", text_data(row.region));
   result.set("reason", text_data(row.reason));
+  result.set("hint", row.hint.empty() ? flag(false) : text_data(row.hint));
   result.set("anchor", row_anchor(study, row));
   return result;
 }
@@ -177,6 +179,36 @@ data skipped_data(const Study& study) {
     data one;
     one.set("reason", text_data(reason));
     one.set("count", counted(count, "comparison", "comparisons"));
+    list.push_back(one);
+  }
+  return list;
+}
+
+data informative_data(const Study& study) {
+  data list{data::type::list};
+  for (const InformativeLine& line : informative_lines(study)) {
+    data values{data::type::list};
+    for (const std::optional<double>& largest : line.largest)
+      values.push_back(data(largest ? short_number(*largest) : ""));
+    const Case* worst = find_case(study, line.scene);
+    data one;
+    one.set("reference", text_data(reference_title(line.reference)));
+    one.set("type", text_data(line.light_type == "all" ? "whole" : line.light_type));
+    one.set("values", values);
+    one.set("scene", text_data(line.scene));
+    one.set("anchor", worst == nullptr ? "" : case_anchor(study, *worst));
+    list.push_back(one);
+  }
+  return list;
+}
+
+data candidates_data(const Study& study) {
+  data list{data::type::list};
+  for (const CandidateNote& candidate : study.candidates) {
+    data one;
+    one.set("name", text_data(candidate.name));
+    one.set("encoding", text_data(candidate.encoding));
+    one.set("note", text_data(candidate.note));
     list.push_back(one);
   }
   return list;

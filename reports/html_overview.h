@@ -30,6 +30,12 @@ kainjow::mustache::data broken_data(const Study& study);
 /// The reasons for skipped rows, with their number.
 kainjow::mustache::data skipped_data(const Study& study);
 
+/// What is measured and not judged: one row for each source and light type.
+kainjow::mustache::data informative_data(const Study& study);
+
+/// The candidates, their encodings and what those cannot show.
+kainjow::mustache::data candidates_data(const Study& study);
+
 /// The matrix's columns: light types, each with all references.
 kainjow::mustache::data matrix_heads(const Study& study);
 

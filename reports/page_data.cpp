@@ -22,12 +22,12 @@ using json = nlohmann::ordered_json;
 constexpr int kTopExponent = 15;       // half floats end just below 2^16
 constexpr double kStepsAllowed = 512;  // differences are kept to this part of the tolerance
 
-std::string deflated_bytes(std::string_view bytes) {
+std::string deflated_bytes(std::string_view bytes, int level = 6) {
   uLongf size = compressBound(uLong(bytes.size()));
   std::string result(size, '\0');
   const int status =
       compress2(reinterpret_cast<Bytef*>(result.data()), &size,
-                reinterpret_cast<const Bytef*>(bytes.data()), uLong(bytes.size()), 9);
+                reinterpret_cast<const Bytef*>(bytes.data()), uLong(bytes.size()), level);
   if (status != Z_OK) throw std::runtime_error("zlib cannot deflate a picture");
   result.resize(size);
   return result;
@@ -58,23 +58,25 @@ json packed_json(const PackedPicture& picture) {
   return {{"exponent", picture.exponent}, {"delta", picture.delta}, {"data", picture.data}};
 }
 
-const Comparison* row_of(const Study& study, const Case& one, const CaseLayer& layer,
-                         const std::string& reference, Region region) {
-  for (const Comparison& row : study.comparisons)
+const Comparison* row_of(const std::vector<Comparison>& rows, const Case& one,
+                         const CaseLayer& layer, const std::string& reference, Region region) {
+  for (const Comparison& row : rows)
     if (row.scene == one.scene && row.light == layer.light && row.reference == reference &&
-        row.region == name_of(region))
+        row.region == name_of(region) && row.against == "litmus")
       return &row;
   return nullptr;
 }
 
 json theirs_json(const Study& study, const Case& one, const CaseLayer& layer,
-                 const CaseLayer::Theirs& theirs) {
+                 const CaseLayer::Theirs& theirs, bool judged) {
+  const std::vector<Comparison>& rows = judged ? study.comparisons : study.informative;
   json result{{"reference", clean_text(theirs.reference)},
               {"title", clean_text(reference_title(theirs.reference))},
-              {"source", theirs.source}};
+              {"source", theirs.source},
+              {"judged", judged}};
   double inside = 0;
   for (const Region region : {Region::Interior, Region::Edge}) {
-    const Comparison* row = row_of(study, one, layer, theirs.reference, region);
+    const Comparison* row = row_of(rows, one, layer, theirs.reference, region);
     const double allowed = row != nullptr ? row->tolerance : 0;
     result["allowed"].push_back(allowed);
     if (region == Region::Interior) inside = allowed;
@@ -86,16 +88,20 @@ json theirs_json(const Study& study, const Case& one, const CaseLayer& layer,
 }
 
 json layer_json(const Study& study, const Case& one, const CaseLayer& layer) {
-  std::string edge;
-  for (const std::uint8_t bit : layer.edge) edge += char(bit);
+  const std::string edge(layer.edge.begin(), layer.edge.end());
+  const std::string flags(layer.flags.begin(), layer.flags.end());
   json result{{"light", clean_text(layer.light)},
               {"type", layer.light_type},
               {"ours", packed_json(packed(layer.ours))},
               {"edge", deflated(edge)},
+              {"flags", deflated(flags)},
               {"theirs", json::array()}};
   for (const CaseLayer::Theirs& theirs : layer.theirs)
     if (same_size(layer.ours, theirs.picture))
-      result["theirs"].push_back(theirs_json(study, one, layer, theirs));
+      result["theirs"].push_back(theirs_json(study, one, layer, theirs, true));
+  for (const CaseLayer::Theirs& theirs : layer.aside)
+    if (same_size(layer.ours, theirs.picture))
+      result["theirs"].push_back(theirs_json(study, one, layer, theirs, false));
   return result;
 }
 
@@ -160,11 +166,12 @@ PackedPicture packed(const Picture& picture, double step) {
       before = bits;
     }
   }
-  const std::string plain = deflated_bytes(shuffled(words));
+  const std::string plain = shuffled(words);
   for (std::size_t i = words.size(); i-- > 1;) words[i] = std::uint16_t(words[i] - words[i - 1]);
-  const std::string deltas = deflated_bytes(shuffled(words));
-  result.delta = deltas.size() < plain.size();
-  result.data = base64(result.delta ? deltas : plain);
+  const std::string deltas = shuffled(words);
+  // A quick look tells which of the two packs better.
+  result.delta = deflated_bytes(deltas, 1).size() < deflated_bytes(plain, 1).size();
+  result.data = base64(deflated_bytes(result.delta ? deltas : plain));
   return result;
 }
 

@@ -41,8 +41,8 @@ Picture packed_difference(const Picture& ours, const Picture& theirs);
 std::string scene_word(const Case& one);
 
 /// All pictures of a scene as JSON: ours for each layer, for each of its references the difference
-/// (to 1/512 of what is allowed inside, or as exact as half floats are), what is allowed, and the
-/// edges. reports/web/data.js reads it.
+/// (to 1/512 of what is allowed inside, or as exact as half floats are), what is allowed, the
+/// edges, and what the light does (kLit and so on). reports/web/data.js reads it.
 std::string pictures_json(const Study& study, const Case& one);
 
 }  // namespace litmus

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <future>
 #include <kainjow/mustache.hpp>
 #include <stdexcept>
 
@@ -80,6 +81,15 @@ data gallery_data() {
   return figures;
 }
 
+// All scenes' pictures at the same time: packing them takes most of the page's time.
+std::vector<std::future<std::string>> packed_pictures(const Study& study) {
+  std::vector<std::future<std::string>> running;
+  for (const Case& one : study.cases)
+    running.push_back(std::async(
+        std::launch::async, [&study, &one] { return script_safe(pictures_json(study, one)); }));
+  return running;
+}
+
 data page_data(const Study& study) {
   const Tally all = tally(study, [](const Comparison&) { return true; });
   const std::string verdict = overall_verdict(study);
@@ -95,6 +105,7 @@ data page_data(const Study& study) {
   page.set("any_failed", flag(all.failed > 0));
   page.set("any_skipped", flag(all.skipped > 0));
   page.set("started", text_data(study.provenance.started));
+  std::vector<std::future<std::string>> pictures = packed_pictures(study);
   data tiles{data::type::list}, cases{data::type::list};
   for (const std::string& reference : references_of(study))
     tiles.push_back(reference_tile(study, reference));
@@ -104,6 +115,7 @@ data page_data(const Study& study) {
     const Tally rows = tally(study, [&](const Comparison& row) { return row.scene == one->scene; });
     data shown = case_data(study, *one, rows.failed > 0 && opened++ < kOpened);
     shown.set("row", matrix_row(study, *one));
+    shown.set("pictures", pictures[std::size_t(one - study.cases.data())].get());
     cases.push_back(std::move(shown));
   }
   page.set("tiles", tiles);
@@ -114,6 +126,11 @@ data page_data(const Study& study) {
   page.set("failures", failures);
   set_list(page, "broken", broken_data(study));
   set_list(page, "skipped_reasons", skipped_data(study));
+  data warnings{data::type::list};
+  for (const std::string& warning : study.warnings) warnings.push_back(text_data(warning));
+  set_list(page, "study_warnings", warnings);
+  set_list(page, "informative", informative_data(study));
+  set_list(page, "candidates", candidates_data(study));
   page.set("matrix_heads", matrix_heads(study));
   page.set("reference_count",
            std::to_string(std::max<std::size_t>(1, references_of(study).size())));

@@ -82,7 +82,7 @@ async function openAddress(hash) {
   if (!element) return false;
   const number = (name, fallback) => Number.isFinite(parseFloat(fields.get(name))) ? parseFloat(fields.get(name)) : fallback;
   const chosen = { show: kShows.includes(fields.get("show")) ? fields.get("show") : "ours",
-                   kind: fields.get("scale") === "log" ? "log" : "share", grey: fields.has("grey"),
+                   kind: ["log", "share"].find((kind) => kind === fields.get("scale")), grey: fields.has("grey"),
                    column: fields.has("column"), stops: number("stops", 0), split: number("split", 0.5) };
   await openViewer(element.id, fields.get("light"), fields.get("with"), chosen);
   view.cursor = pixel(numbers(fields.get("at"), view.cursor));
@@ -113,6 +113,9 @@ async function openViewer(anchor, light, reference, chosen) {
   Object.assign(view, { anchor, data, layer: k, fitted: true, pins: [], stops: 0 }, chosen);
   view.reference = Math.max(0, layerNow().theirs.findIndex((each) => each.reference === reference));
   view.cursor = worstPixel(data, layerNow(), theirsNow());
+  // What is far beyond its tolerance needs decades.
+  const worst = valuesAt(view.cursor);
+  view.kind = chosen.kind || (Math.abs(worst.largest) > worst.allowed ? "log" : "share");
   if (!viewer.open) viewer.showModal();
   $("stage").focus();
   refreshNow();

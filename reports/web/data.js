@@ -43,7 +43,7 @@ async function unpackedLayer(raw, ours, differenceOf) {
     }
     return { ...each, values, difference };
   }));
-  return { ...raw, ours, theirs, edge: await inflated(raw.edge) };
+  return { ...raw, ours, theirs, edge: await inflated(raw.edge), flags: await inflated(raw.flags) };
 }
 
 const opened = new Map();  // id of a scene's element -> promise of its pictures

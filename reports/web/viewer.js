@@ -190,12 +190,18 @@ function cells(name, values, exact) {
   return row;
 }
 
+// What a light does at a pixel: the bits are those of scene/picture.h.
+function regionsOf(bits = 0) {
+  const shadow = bits & 7, named = { 0: "", 1: "lit", 4: "umbra" };
+  return [named[shadow] ?? "penumbra", bits & 8 ? "highlight" : ""].filter(Boolean);
+}
+
 // The values of a pixel: of ours, theirs and their difference, all channels.
 function valuesAt([x, y]) {
   const i = y * view.data.width + x, of = (values) => values.slice(3 * i, 3 * i + 3);
   const layer = layerNow(), theirs = theirsNow(), edge = layer.edge[i] ? 1 : 0;
   return { ours: of(layer.ours), theirs: of(theirs.values), difference: of(theirs.difference),
-           region: edge ? "edge" : "interior", allowed: theirs.allowed[edge],
+           region: edge ? "edge" : ["interior", ...regionsOf(layer.flags[i])].join(", "), allowed: theirs.allowed[edge],
            largest: largestDifference(theirs.difference, i) };
 }
 
