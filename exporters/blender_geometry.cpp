@@ -190,26 +190,6 @@ std::vector<std::array<Point, 4>> plane_rectangles(const Scene& scene, const Pla
   return rectangles;
 }
 
-std::vector<Point> picture_points(const Scene& scene) {
-  constexpr int kSteps = 5;
-  std::vector<Point> points;
-  for (const Object& object : scene.objects) {
-    const std::vector<Point> corners = box_corners(object);
-    points.insert(points.end(), corners.begin(), corners.end());
-    if (!corners.empty()) points.push_back((corners.front() + corners.back()) * 0.5);
-    const auto* plane = std::get_if<Plane>(&object.shape);
-    if (!plane) continue;
-    const PlaneAxes frame = frame_of(*plane);
-    const Rectangle part = visible_part(scene, frame);
-    for (int k = 0; k < kSteps * kSteps && !part.empty(); ++k) {
-      const double u = (k % kSteps + 0.5) / kSteps, v = (k / kSteps + 0.5) / kSteps;
-      points.push_back(frame.centre + glm::mix(part.u0, part.u1, u) * frame.u +
-                       glm::mix(part.v0, part.v1, v) * frame.v);
-    }
-  }
-  return points;
-}
-
 bool holds_eye(const Camera& camera, double aspect, const Sphere& sphere) {
   const Vector apart = sphere.center - camera.eye;
   if (camera.projection == Projection::Perspective) return glm::length(apart) < sphere.radius;

@@ -15,10 +15,6 @@ namespace litmus {
 /// What lies further away than 1e6 units is cut off. `scene` must be in its envelope.
 std::vector<std::array<Point, 4>> plane_rectangles(const Scene& scene, const Plane& plane);
 
-/// Points all over what the picture may show: the corners and middles of the boxes around objects,
-/// and 5 x 5 points of what is seen of each plane.
-std::vector<Point> picture_points(const Scene& scene);
-
 /// Whether the picture is taken from inside the sphere. Cycles shows and shadows its points from
 /// outside only.
 bool holds_eye(const Camera& camera, double aspect, const Sphere& sphere);

@@ -11,6 +11,7 @@
 #include "exporters/blender_geometry.h"
 #include "exporters/blender_parts.h"
 #include "exporters/envelope.h"
+#include "exporters/seen_points.h"
 #include "exporters/text.h"
 #include "scene/overload.h"
 
@@ -58,7 +59,7 @@ void write_lamp(const Light& light, const std::vector<Point>& points, const std:
   const LampFit fit = sun ? LampFit{} : fit_distance(light, points);
   if (!sun) {
     out << fmt::format(
-        "# at best fit over the picture's objects off by {:.2g} of the intensity, rms\n", fit.rms);
+        "# at best fit over what the picture shows off by {:.2g} of the intensity, rms\n", fit.rms);
   }
   std::visit(Overload{
                  [&](const DirectionalLight& d) {
@@ -152,7 +153,7 @@ void write_blender_native(const Scene& given, std::ostream& out) {
   out << "ambient(" << python_triple(blender_ambient(scene)) << ")\n\n";
   write_blender_camera(scene, out);
   out << '\n';
-  const std::vector<Point> points = picture_points(scene);
+  const std::vector<Point> points = seen_points(scene);
   const std::string end = scene.shadows ? ")\n" : ", shadows=False)\n";
   for (const Light& light : scene.lights) write_lamp(light, points, end, out);
   out << '\n';
