@@ -11,6 +11,7 @@
 #include <string>
 
 #include "scene/load.h"
+#include "test_paths.h"
 
 namespace litmus {
 namespace {

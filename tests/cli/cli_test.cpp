@@ -12,6 +12,7 @@
 #include <sstream>
 
 #include "compare/image_io.h"
+#include "test_paths.h"
 
 namespace litmus {
 namespace {

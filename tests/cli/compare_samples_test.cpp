@@ -10,6 +10,7 @@
 #include <random>
 
 #include "compare/image_io.h"
+#include "test_paths.h"
 
 namespace litmus {
 namespace {

@@ -16,6 +16,7 @@
 
 #include "compare/image_io.h"
 #include "scene/load.h"
+#include "test_paths.h"
 
 namespace litmus {
 namespace {

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "scene/load.h"
+#include "test_paths.h"
 #include "tests/reports/json_schema.h"
 #include "tests/reports/sample_study.h"
 
@@ -19,8 +20,7 @@ using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
 std::vector<std::string> schema_errors(const json& results) {
-  std::ifstream file(std::filesystem::path(LITMUS_TEST_DATA).parent_path().parent_path() /
-                     "reports/results.schema.json");
+  std::ifstream file(LITMUS_SOURCE "/reports/results.schema.json");
   std::vector<std::string> errors;
   check_schema(json::parse(file), results, "", errors);
   return errors;
