@@ -15,6 +15,7 @@
 #include "reports/html_overview.h"
 #include "reports/overview.h"
 #include "reports/page_data.h"
+#include "reports/page_terms.h"
 #include "reports/plain_text.h"
 #include "reports/web_assets.h"
 #include "reports/write_json.h"
@@ -106,6 +107,7 @@ data page_data(const Study& study) {
   page.set("any_skipped", flag(all.skipped > 0));
   page.set("started", text_data(study.provenance.started));
   std::vector<std::future<std::string>> pictures = packed_pictures(study);
+  const std::vector<std::string> terms = explained_cases(study);
   data tiles{data::type::list}, cases{data::type::list};
   for (const std::string& reference : references_of(study))
     tiles.push_back(reference_tile(study, reference));
@@ -116,6 +118,8 @@ data page_data(const Study& study) {
     data shown = case_data(study, *one, rows.failed > 0 && opened++ < kOpened);
     shown.set("row", matrix_row(study, *one));
     shown.set("pictures", pictures[std::size_t(one - study.cases.data())].get());
+    const std::string& numbers = terms[std::size_t(one - study.cases.data())];
+    shown.set("terms", numbers.empty() ? flag(false) : data(script_safe(numbers)));
     cases.push_back(std::move(shown));
   }
   page.set("tiles", tiles);

@@ -217,6 +217,7 @@ function writeReadout() {
   verdict.className = Number.isNaN(at.largest) || share > 1 ? "bad" : "dim";
   $("command").textContent = `litmus run ${view.data.word} --references ${theirsNow().source || "auto"}\n` +
     `litmus explain ${view.data.word} ${view.cursor.join(" ")}`;
+  writeEquation();
   $("scan").replaceChildren(scanLine(view.data, layerNow(), theirsNow(), view.cursor, view.column));
   $("scan-title").textContent = view.column ? `Along column ${view.cursor[0]}` : `Along row ${view.cursor[1]}`;
 }

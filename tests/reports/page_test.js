@@ -59,7 +59,8 @@ addEventListener("load", async () => {
         for (const at of window.wanted) {
           point("pointermove", at);
           await pause();
-          seen.pixels.push({ layer, reference, at, said: byId("readout-at").textContent, values: values() });
+          seen.pixels.push({ layer, reference, at, said: byId("readout-at").textContent, values: values(),
+                             sum: byId("equation").hidden ? "" : byId("equation-lines").lastChild.textContent });
         }
       }
 
