@@ -5,8 +5,9 @@
 
 namespace litmus {
 
-extern const std::string_view kPageTemplate;  ///< page.html, a mustache template
-extern const std::string_view kPageStyle;     ///< page.css
-extern const std::string_view kPageScript;    ///< all *.js, one after the other
+extern const std::string_view kPageTemplate;   ///< page.html, a mustache template
+extern const std::string_view kShellTemplate;  ///< shell.html, of small pages
+extern const std::string_view kPageStyle;      ///< page.css
+extern const std::string_view kPageScript;     ///< all *.js, one after the other
 
 }  // namespace litmus

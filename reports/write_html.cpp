@@ -91,7 +91,19 @@ std::vector<std::future<std::string>> packed_pictures(const Study& study) {
   return running;
 }
 
-data page_data(const Study& study) {
+data links_data(const std::vector<PageLink>& beside) {
+  data links{data::type::list};
+  for (const PageLink& page : beside) {
+    data one;
+    one.set("file", text_data(page.file));
+    one.set("title", text_data(page.title));
+    one.set("about", text_data(page.about));
+    links.push_back(one);
+  }
+  return links;
+}
+
+data page_data(const Study& study, const std::vector<PageLink>& beside) {
   const Tally all = tally(study, [](const Comparison&) { return true; });
   const std::string verdict = overall_verdict(study);
   data page;
@@ -106,6 +118,7 @@ data page_data(const Study& study) {
   page.set("any_failed", flag(all.failed > 0));
   page.set("any_skipped", flag(all.skipped > 0));
   page.set("started", text_data(study.provenance.started));
+  page.set("beside", links_data(beside));
   std::vector<std::future<std::string>> pictures = packed_pictures(study);
   const std::vector<std::string> terms = explained_cases(study);
   data tiles{data::type::list}, cases{data::type::list};
@@ -150,14 +163,14 @@ data page_data(const Study& study) {
 
 }  // namespace
 
-std::string html(const Study& study) {
+std::string html(const Study& study, const std::vector<PageLink>& beside) {
   kainjow::mustache::mustache page{std::string(kPageTemplate)};
   if (!page.is_valid()) throw std::logic_error("page.html: " + page.error_message());
-  return page.render(page_data(study));
+  return page.render(page_data(study, beside));
 }
 
 void write_html(const Study& study, const std::filesystem::path& file) {
-  write_whole(file, html(study));
+  write_whole(file, html(study, pages_in(file.parent_path())));
 }
 
 }  // namespace litmus
