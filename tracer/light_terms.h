@@ -4,6 +4,7 @@
 
 #include "scene/picture.h"
 #include "tracer/shade.h"
+#include "tracer/sum.h"
 #include "tracer/visibility.h"
 
 namespace litmus {
@@ -62,6 +63,7 @@ LightTerms<R> light_terms(const Plan<R>& plan, const Source<R>& source, const Hi
   // Near a silhouette an interpolated normal may be turned the other way than the geometric one.
   total.signature = dot(hit.normal, hit.geometric) < 0;
   std::size_t reached = 0, lit = 0;
+  Total<R> diffuse, specular;
   for (const Lamp<R>& lamp : source.lamps) {
     const LampTerms<R> one = lamp_terms(plan, lamp, hit, eye);
     reached += one.reached, lit += one.lit;
@@ -70,13 +72,13 @@ LightTerms<R> light_terms(const Plan<R>& plan, const Source<R>& source, const Hi
                           std::uint64_t(one.faces) | std::uint64_t(one.shades) << 1 |
                               std::uint64_t(one.light.in_cone) << 2 | std::uint64_t(one.lit) << 3);
     if (!one.lit) continue;
-    total.diffuse += Sum<R>(one.terms.diffuse);
-    total.specular += Sum<R>(one.terms.specular);
+    diffuse.add(one.terms.diffuse);
+    specular.add(one.terms.specular);
     if (plan.sample_code) total.unoccluded += 1;
   }
   if (reached > 0) total.flags |= lit == reached ? kLit : lit > 0 ? kPenumbra : kUmbra;
-  total.diffuse = total.diffuse * Sum<R>(source.weight);
-  total.specular = total.specular * Sum<R>(source.weight);
+  total.diffuse = diffuse.value() * Sum<R>(source.weight);
+  total.specular = specular.value() * Sum<R>(source.weight);
   return total;
 }
 

@@ -20,17 +20,22 @@ Direction<R> half_vector(const Vec<R>& l, const Vec<R>& e) {
   return direction_of(l + e);
 }
 
-/// (h.n)^ns, slide 5; 0 where h.n <= 0 and for e = -l. All vectors are unit. As
-/// exp(ns log1p(-|n - h|^2 / 2)), which never exceeds 1 and keeps its digits for a large ns: near
-/// the peak h.n itself has lost them.
+/// (h.n)^ns of two unit vectors with h.n > 0, as exp(ns log1p(-|n - h|^2 / 2)), which never exceeds
+/// 1 and keeps its digits for a large ns: near the peak h.n itself has lost them.
 template <Real R>
-R specular_power(const Vec<R>& l, const Vec<R>& e, const Vec<R>& n, R shininess) {
+R power_of_cosine(const Vec<R>& h, const Vec<R>& n, R shininess) {
   using std::exp, std::log1p;
-  const Direction<R> half = half_vector(l, e);
-  if (half.length == 0 || !(dot(half.unit, n) > 0)) return 0;
-  const Vec<R> apart = n - half.unit;
+  const Vec<R> apart = n - h;
   const R shortfall = dot(apart, apart) / 2;
   return shortfall < 1 ? R(exp(shininess * log1p(-shortfall))) : R(0);
+}
+
+/// (h.n)^ns, slide 5; 0 where h.n <= 0 and for e = -l. All vectors are unit.
+template <Real R>
+R specular_power(const Vec<R>& l, const Vec<R>& e, const Vec<R>& n, R shininess) {
+  const Direction<R> half = half_vector(l, e);
+  if (half.length == 0 || !(dot(half.unit, n) > 0)) return 0;
+  return power_of_cosine(half.unit, n, shininess);
 }
 
 /// The equation's gate: a light behind the surface adds nothing, specular included.
