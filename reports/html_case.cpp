@@ -182,7 +182,6 @@ data renderers_data(const Case& one) {
     renderer.set("title", text_data(reference_title(r.reference)));
     renderer.set("version", text_data(r.version));
     renderer.set("source", text_data(r.source.empty() ? "none" : r.source));
-    renderer.set("seconds", r.source.empty() ? flag(false) : data(short_seconds(r.seconds)));
     renderer.set("command", r.command.empty() ? flag(false) : text_data(r.command));
     renderer.set("failure", text_data(r.failure));
     renderer.set("failed", flag(!r.failure.empty()));
@@ -268,7 +267,6 @@ data case_data(const Study& study, const Case& one, bool open) {
   result.set("tags", text_data(fmt::format("{}", fmt::join(one.tags, ", "))));
   result.set("has_tags", flag(!one.tags.empty()));
   result.set("size", fmt::format("{} \u00d7 {}", one.width, one.height));
-  result.set("seconds", short_seconds(one.seconds));
   result.set("verdict", verdict);
   result.set("open", flag(open));
   result.set("chips", chips);

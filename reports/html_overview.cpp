@@ -94,25 +94,42 @@ data reference_tile(const Study& study, const std::string& reference) {
   return tile;
 }
 
-data seconds_list(const Study& study) {
+data counts_data(const Study& study) {
+  const Tally all = tally(study, [](const Comparison&) { return true; });
   data list{data::type::list};
-  const auto add = [&](const std::string& title, double seconds) {
+  const auto add = [&](const std::string& title, long long count) {
     data one;
-    one.set("title", text_data(title));
-    one.set("seconds", short_seconds(seconds));
-    list.push_back(one);
+    one.set("title", title);
+    one.set("count", with_commas(count));
+    if (count > 0) list.push_back(one);
   };
-  double ours = 0;
-  for (const Case& one : study.cases) ours += one.seconds;
-  add("litmus", ours);
-  for (const std::string& reference : references_of(study)) {
-    double seconds = 0;
-    for (const Case& one : study.cases)
-      for (const CaseReference& r : one.references)
-        if (r.reference == reference) seconds += r.seconds;
-    if (seconds > 0) add(reference_title(reference), seconds);
-  }
+  add("scenes", (long long)(study.cases.size()));
+  add("against live pictures", all.live);
+  add("against stored ones", all.stored);
   return list;
+}
+
+data took_data(const Study& study) {
+  const std::vector<std::string> references = references_of(study);
+  data heads{data::type::list}, rows{data::type::list};
+  heads.push_back(data("litmus"));
+  for (const std::string& reference : references)
+    heads.push_back(text_data(reference_title(reference)));
+  const auto add = [&](const std::string& title, std::span<const Case> cases) {
+    const std::vector<double> seconds = seconds_of(cases, references);
+    data cells{data::type::list};
+    for (const double each : seconds) cells.push_back(data(each > 0 ? short_seconds(each) : ""));
+    data row;
+    row.set("scene", text_data(title));
+    row.set("seconds", cells);
+    rows.push_back(row);
+  };
+  if (study.cases.size() > 1) add("all scenes", study.cases);
+  for (const Case& one : study.cases) add(one.scene, {&one, 1});
+  data result;
+  result.set("heads", heads);
+  result.set("rows", rows);
+  return result;
 }
 
 // The small pictures stand in the style, once each, because the page shows them in three places.

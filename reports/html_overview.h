@@ -14,8 +14,11 @@ std::string lead_sentence(const Study& study);
 /// The headline figures of one reference: its worst interior difference, and what is allowed.
 kainjow::mustache::data reference_tile(const Study& study, const std::string& reference);
 
-/// How long each renderer took, over all scenes.
-kainjow::mustache::data seconds_list(const Study& study);
+/// How much was compared.
+kainjow::mustache::data counts_data(const Study& study);
+
+/// How long each renderer took, scene by scene: "heads" and "rows".
+kainjow::mustache::data took_data(const Study& study);
 
 /// A small picture of each scene with its anchor.
 kainjow::mustache::data thumbnails_data(const Study& study);

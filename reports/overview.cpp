@@ -130,6 +130,18 @@ std::vector<const Case*> cases_by_verdict(const Study& study) {
   return cases;
 }
 
+std::vector<double> seconds_of(std::span<const Case> cases,
+                               const std::vector<std::string>& references) {
+  std::vector<double> seconds(1 + references.size());
+  for (const Case& one : cases) {
+    seconds[0] += one.seconds;
+    for (const CaseReference& r : one.references)
+      for (std::size_t i = 0; i < references.size(); ++i)
+        if (r.reference == references[i] && !r.source.empty()) seconds[1 + i] += r.seconds;
+  }
+  return seconds;
+}
+
 std::string reference_title(const std::string& reference) {
   const Driver* driver = find_driver(reference);
   return driver != nullptr ? driver->title : reference;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -52,6 +53,10 @@ std::vector<const Comparison*> failures_of(const Study& study);
 /// The scenes with a failed row, the furthest over its tolerance first; then those with a skipped
 /// row, then the rest, in study order.
 std::vector<const Case*> cases_by_verdict(const Study& study);
+
+/// Seconds of rendering alone over some scenes: ours, then each reference's, where it drew them.
+std::vector<double> seconds_of(std::span<const Case> cases,
+                               const std::vector<std::string>& references);
 
 /// "POV-Ray" for "povray"; the name itself if no driver has it.
 std::string reference_title(const std::string& reference);

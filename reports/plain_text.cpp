@@ -69,6 +69,13 @@ std::string clipped(std::string_view text, std::size_t limit) {
   return clean.substr(0, end) + " ...";
 }
 
+std::string nearby(const std::filesystem::path& file) {
+  if (file.empty()) return "";
+  const std::filesystem::path whole = std::filesystem::absolute(file).lexically_normal();
+  const std::filesystem::path below = whole.lexically_relative(std::filesystem::current_path());
+  return (below.empty() || *below.begin() == ".." ? whole : below).string();
+}
+
 std::string short_number(double value) {
   if (value == 0 || !std::isfinite(value)) return value == 0 ? "0" : "not finite";
   const double magnitude = std::abs(value);

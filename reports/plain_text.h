@@ -1,6 +1,7 @@
 // plain_text.h: text and numbers as the writers print them.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <string_view>
 
@@ -13,6 +14,10 @@ std::string clean_text(std::string_view text);
 
 /// At most `limit` bytes of clean text, cut at a character; " ..." shows the cut.
 std::string clipped(std::string_view text, std::size_t limit);
+
+/// The file as it is called from the working folder, where it lies below it; else its whole path.
+/// So reports of one project do not depend on where it lies.
+std::string nearby(const std::filesystem::path& file);
 
 /// Two digits for people: 0, 0.25, 12, 1.2e-7, 3e+8. Plain notation from 0.01 to 9999.
 std::string short_number(double value);

@@ -13,6 +13,7 @@
 #include "reports/alignment.h"
 #include "reports/candidates.h"
 #include "reports/controls.h"
+#include "reports/plain_text.h"
 #include "reports/provenance.h"
 #include "reports/triage_rows.h"
 #include "reports/rows.h"
@@ -181,7 +182,7 @@ Study run_study(std::span<const Scene> scenes, const StudyOptions& options) {
     Rendering rendering = render(ours, render_options);
 
     Case entry{ours.name,
-               ours.file.string(),
+               nearby(ours.file),
                ours.about,
                ours.tags,
                ours.warnings,
@@ -197,7 +198,7 @@ Study run_study(std::span<const Scene> scenes, const StudyOptions& options) {
       compare_with_extra(entry, extra, i, obtained.size(), side, study);
     study.cases.push_back(std::move(entry));
   }
-  study.warnings = tolerance_warnings(tolerances(), tolerances_file());
+  study.warnings = tolerance_warnings(tolerances(), nearby(tolerances_file()));
   add_triage(study);
   study.provenance = provenance_of(drivers);
   for (const Candidate& candidate : options.candidates)

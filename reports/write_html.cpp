@@ -117,7 +117,6 @@ data page_data(const Study& study, const std::vector<PageLink>& beside) {
   page.set("skipped", std::to_string(all.skipped));
   page.set("any_failed", flag(all.failed > 0));
   page.set("any_skipped", flag(all.skipped > 0));
-  page.set("started", text_data(study.provenance.started));
   page.set("beside", links_data(beside));
   std::vector<std::future<std::string>> pictures = packed_pictures(study);
   const std::vector<std::string> terms = explained_cases(study);
@@ -137,7 +136,7 @@ data page_data(const Study& study, const std::vector<PageLink>& beside) {
   }
   page.set("tiles", tiles);
   page.set("thumbnails", thumbnails_data(study));
-  page.set("seconds_list", seconds_list(study));
+  page.set("counts", counts_data(study));
   const data failures = failures_data(study);
   page.set("has_failures", flag(failures.get("rows")->is_non_empty_list()));
   page.set("failures", failures);
@@ -154,8 +153,10 @@ data page_data(const Study& study, const std::vector<PageLink>& beside) {
   page.set("cases", std::move(cases));
   set_list(page, "gallery", is_full_run(study) ? gallery_data() : data(data::type::list));
   page.set("provenance", provenance_data(study.provenance));
+  page.set("provenance_json", script_safe(provenance_json(study)));
+  page.set("took", study.cases.empty() ? flag(false) : took_data(study));
   page.set("tolerances", tolerances_data());
-  page.set("results", deflated(results_json(study, -1)));
+  page.set("results", deflated(reproducible_json(study)));
   page.set("style", std::string(kPageStyle));
   page.set("script", std::string(kPageScript));
   return page;

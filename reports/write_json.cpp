@@ -18,7 +18,22 @@ double finite(double value, const std::string& where) {
   return value;
 }
 
-ordered_json provenance_json(const Provenance& p) {
+// How long each scene took: by us, and by each renderer that drew it.
+ordered_json rendering_json(const Study& study) {
+  ordered_json rendering = ordered_json::array();
+  for (const Case& one : study.cases) {
+    ordered_json references = ordered_json::object();
+    for (const CaseReference& r : one.references)
+      references[r.reference] = finite(r.seconds, one.scene + "." + r.reference + ".seconds");
+    rendering.push_back({{"scene", one.scene},
+                         {"seconds", finite(one.seconds, one.scene + ".seconds")},
+                         {"references", references}});
+  }
+  return rendering;
+}
+
+ordered_json provenance_object(const Study& study) {
+  const Provenance& p = study.provenance;
   ordered_json versions = ordered_json::object();
   for (const auto& [name, version] : p.versions) versions[name] = version;
   return {{"litmus_version", p.litmus_version},
@@ -31,7 +46,8 @@ ordered_json provenance_json(const Provenance& p) {
           {"started", p.started},
           {"threads", p.threads},
           {"seconds", finite(p.seconds, "provenance.seconds")},
-          {"versions", versions}};
+          {"versions", versions},
+          {"rendering", rendering_json(study)}};
 }
 
 ordered_json registration_json(const Registration& r, const std::string& where) {
@@ -51,14 +67,11 @@ ordered_json case_json(const Case& one) {
          {"source", r.source},
          {"version", r.version},
          {"command", r.command},
-         {"seconds", finite(r.seconds, one.scene + "." + r.reference + ".seconds")},
          {"failure", r.failure},
          {"registration", registration_json(r.registration, one.scene + "." + r.reference)}});
-  return {{"scene", one.scene},       {"file", one.file},
-          {"about", one.about},       {"tags", one.tags},
-          {"warnings", one.warnings}, {"width", one.width},
-          {"height", one.height},     {"seconds", finite(one.seconds, one.scene + ".seconds")},
-          {"references", references}};
+  return {{"scene", one.scene},   {"file", one.file},         {"about", one.about},
+          {"tags", one.tags},     {"warnings", one.warnings}, {"width", one.width},
+          {"height", one.height}, {"references", references}};
 }
 
 ordered_json comparison_json(const Comparison& row) {
@@ -85,17 +98,17 @@ ordered_json comparison_json(const Comparison& row) {
   return json;
 }
 
-}  // namespace
+// A byte that is not UTF-8 becomes U+FFFD.
+std::string text_of(const ordered_json& json, int indent) {
+  return json.dump(indent, ' ', false, ordered_json::error_handler_t::replace);
+}
 
-std::string results_json(const Study& study, int indent) {
-  ordered_json json{{"schema_version", kResultsSchemaVersion},
-                    {"verdict", overall_verdict(study)},
-                    {"provenance", provenance_json(study.provenance)},
-                    {"warnings", study.warnings},
-                    {"cases", ordered_json::array()},
-                    {"comparisons", ordered_json::array()},
-                    {"informative", ordered_json::array()},
-                    {"candidates", ordered_json::array()}};
+ordered_json results_object(const Study& study, ordered_json provenance) {
+  ordered_json json{
+      {"schema_version", kResultsSchemaVersion}, {"verdict", overall_verdict(study)},
+      {"provenance", std::move(provenance)},     {"warnings", study.warnings},
+      {"cases", ordered_json::array()},          {"comparisons", ordered_json::array()},
+      {"informative", ordered_json::array()},    {"candidates", ordered_json::array()}};
   for (const Case& one : study.cases) json["cases"].push_back(case_json(one));
   for (const Comparison& row : study.comparisons)
     json["comparisons"].push_back(comparison_json(row));
@@ -106,9 +119,20 @@ std::string results_json(const Study& study, int indent) {
                                   {"encoding", one.encoding},
                                   {"exposure", one.exposure},
                                   {"note", one.note}});
-  // A byte that is not UTF-8 becomes U+FFFD.
-  return json.dump(indent, ' ', false, ordered_json::error_handler_t::replace);
+  return json;
 }
+
+}  // namespace
+
+std::string results_json(const Study& study, int indent) {
+  return text_of(results_object(study, provenance_object(study)), indent);
+}
+
+std::string reproducible_json(const Study& study) {
+  return text_of(results_object(study, nullptr), -1);
+}
+
+std::string provenance_json(const Study& study) { return text_of(provenance_object(study), -1); }
 
 void write_json(const Study& study, const std::filesystem::path& file) {
   write_whole(file, results_json(study) + "\n");

@@ -20,7 +20,6 @@ void set(pugi::xml_node node, const char* name, const std::string& value) {
 
 struct Counts {
   int tests = 0, failures = 0, skipped = 0, errors = 0;
-  double seconds = 0;
 };
 
 void set_counts(pugi::xml_node node, const Counts& counts) {
@@ -28,7 +27,6 @@ void set_counts(pugi::xml_node node, const Counts& counts) {
   set(node, "failures", std::to_string(counts.failures));
   set(node, "errors", std::to_string(counts.errors));
   set(node, "skipped", std::to_string(counts.skipped));
-  set(node, "time", fmt::format("{:.3f}", counts.seconds));
 }
 
 pugi::xml_node add_test(pugi::xml_node suite, const std::string& scene, const std::string& name) {
@@ -85,14 +83,33 @@ Counts add_suite(pugi::xml_node root, const Study& study, const Case& one) {
   Counts counts;
   pugi::xml_node suite = root.append_child("testsuite");
   set(suite, "name", one.scene);
-  counts.seconds = one.seconds;
-  for (const CaseReference& reference : one.references)
-    if (reference.source == "live") counts.seconds += reference.seconds;
   add_renderer_failures(suite, one, counts);
   for (const Comparison& row : study.comparisons)
     if (row.scene == one.scene) add_row(suite, row, counts);
   set_counts(suite, counts);
   return counts;
+}
+
+/// A suite without tests, which holds all that may differ between two runs of identical inputs.
+void add_provenance(pugi::xml_node root, const Study& study) {
+  pugi::xml_node suite = root.append_child("testsuite");
+  set(suite, "name", "provenance");
+  set_counts(suite, {});
+  pugi::xml_node properties = suite.append_child("properties");
+  const auto add = [&](const std::string& name, const std::string& value) {
+    pugi::xml_node property = properties.append_child("property");
+    set(property, "name", name);
+    set(property, "value", value);
+  };
+  const Provenance& p = study.provenance;
+  add("litmus", p.litmus_version + " " + p.commit);
+  add("command", p.command);
+  add("started", p.started);
+  add("seconds", fmt::format("{:.3f}", p.seconds));
+  add("processor", p.cpu);
+  for (const auto& [name, version] : p.versions) add(name, version);
+  for (const Case& one : study.cases)
+    add("seconds of " + one.scene, fmt::format("{:.4f}", one.seconds));
 }
 
 }  // namespace
@@ -108,8 +125,8 @@ void write_junit(const Study& study, const std::filesystem::path& file) {
     total.failures += counts.failures;
     total.skipped += counts.skipped;
     total.errors += counts.errors;
-    total.seconds += counts.seconds;
   }
+  add_provenance(root, study);
   set_counts(root, total);
   std::ostringstream text;
   document.save(text, "  ");

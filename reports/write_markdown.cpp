@@ -126,7 +126,8 @@ std::string skipped_text(const Study& study) {
   return text + "\n";
 }
 
-std::string provenance_text(const Provenance& p) {
+std::string provenance_text(const Study& study) {
+  const Provenance& p = study.provenance;
   std::string text = "## Provenance\n\n";
   const auto line = [&](std::string_view name, const std::string& value) {
     if (!value.empty()) text += fmt::format("- {}: {}\n", cell(name), cell(value, 2000));
@@ -135,6 +136,12 @@ std::string provenance_text(const Provenance& p) {
   line("command", p.command);
   line("started", p.started);
   line("took", short_seconds(p.seconds));
+  const std::vector<std::string> references = references_of(study);
+  const std::vector<double> seconds = seconds_of(study.cases, references);
+  for (std::size_t i = 0; i < std::min(seconds.size(), kListed); ++i)
+    if (seconds[i] > 0)
+      line("rendering by " + (i == 0 ? "litmus" : reference_title(references[i - 1])),
+           short_seconds(seconds[i]));
   line("system", p.system);
   line("processor",
        p.cpu.empty() ? "" : fmt::format("{}, {}", p.cpu, counted(p.threads, "thread", "threads")));
@@ -156,7 +163,7 @@ std::string markdown(const Study& study) {
       all.skipped, sources);
   text += failures_text(study) + broken_text(study) + types_text(study) + informative_text(study) +
           skipped_text(study) +
-          provenance_text(study.provenance);
+          provenance_text(study);
   if (text.size() <= kMarkdownLimit) return text;
   constexpr std::string_view kCut = "\n\nThe rest is in results.json.\n";
   text.resize(text.rfind('\n', kMarkdownLimit - kCut.size()));

@@ -11,7 +11,8 @@ namespace litmus {
 /// GitHub drops a job summary near 1 MiB without a word; the text stays below this.
 inline constexpr std::size_t kMarkdownLimit = 900'000;
 
-/// Verdict, failures first, a table of light type x reference, what was skipped, provenance. No
+/// Verdict, failures first, a table of light type x reference, what was skipped, provenance, which alone
+/// may differ where the inputs do not. No
 /// pictures; at most kMarkdownLimit bytes: rows that do not fit are counted, and are in
 /// results.json.
 std::string markdown(const Study& study);

@@ -51,7 +51,9 @@ filter();
 
 $("save").addEventListener("click", async () => {
   const link = document.createElement("a");
-  link.href = URL.createObjectURL(new Blob([await inflated($("results").textContent)], { type: "application/json" }));
+  const results = JSON.parse(new TextDecoder().decode(await inflated($("results").textContent)));
+  results.provenance = JSON.parse($("provenance").textContent);
+  link.href = URL.createObjectURL(new Blob([JSON.stringify(results, null, 2)], { type: "application/json" }));
   link.download = "results.json";
   link.click();
 });

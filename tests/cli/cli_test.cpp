@@ -1,28 +1,15 @@
 // cli_test.cpp: the program as a person uses it: exit codes, messages, files.
-#include <gtest/gtest.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
-#include <array>
-#include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "compare/image_io.h"
-#include "test_paths.h"
+#include "tests/cli/program_test.h"
 
 namespace litmus {
 namespace {
 
 namespace fs = std::filesystem;
-
-struct Ended {
-  int code = -1;
-  std::string text;  ///< standard output and error
-};
 
 /// A scene of a user's own, which no stored image belongs to.
 const std::string kOwnScene = R"(schema = 1
@@ -48,40 +35,8 @@ type = "directional"
 direction = [0, 0, -1]
 )";
 
-class Program : public testing::Test {
+class Program : public ProgramTest {
  protected:
-  void SetUp() override {
-    std::string name = fs::temp_directory_path() / "litmus-test-XXXXXX";
-    ASSERT_NE(mkdtemp(name.data()), nullptr);
-    folder = name;
-  }
-  void TearDown() override { fs::remove_all(folder); }
-
-  /// Runs litmus in the test's folder, with a store of its own.
-  Ended litmus(const std::string& arguments, const std::string& environment = "") const {
-    const std::string line = "cd '" + folder.string() + "' && env XDG_CACHE_HOME='" +
-                             folder.string() + "/cache' " + environment + " " LITMUS_PROGRAM " " +
-                             arguments + " 2>&1";
-    FILE* pipe = popen(line.c_str(), "r");
-    Ended ended;
-    std::array<char, 4096> buffer;
-    while (const std::size_t n = fread(buffer.data(), 1, buffer.size(), pipe))
-      ended.text.append(buffer.data(), n);
-    const int status = pclose(pipe);
-    ended.code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-    return ended;
-  }
-
-  nlohmann::json results(const std::string& out) const {
-    std::ifstream file(folder / out / "results.json");
-    return nlohmann::json::parse(file);
-  }
-
-  void write(const std::string& name, const std::string& text) const {
-    std::ofstream(folder / name) << text;
-  }
-
-  fs::path folder;
   const std::string no_renderers = "PATH=/nonexistent";
 };
 

@@ -67,5 +67,13 @@ TEST(Counted, SetsCommasAndTheNoun) {
   EXPECT_EQ(with_commas(-100), "-100");
 }
 
+TEST(Nearby, IsRelativeOnlyBelowTheWorkingFolder) {
+  const std::filesystem::path here = std::filesystem::current_path();
+  EXPECT_EQ(nearby(here / "scene" / "x.toml"), "scene/x.toml");
+  EXPECT_EQ(nearby("scene/../x.toml"), "x.toml");
+  EXPECT_EQ(nearby(here.parent_path() / "x.toml"), (here.parent_path() / "x.toml").string());
+  EXPECT_EQ(nearby(""), "");
+}
+
 }  // namespace
 }  // namespace litmus

@@ -109,8 +109,9 @@ TEST(Page, KeepsHostileTextInert) {
   const std::string page = html(study);
   EXPECT_THAT(page, Not(HasSubstr("<img src=x")));
   EXPECT_THAT(page, Not(HasSubstr("<script>alert")));
-  const std::size_t own = 2 + study.cases.size();
-  EXPECT_EQ(count(page, "<script"), own) << "results, the pictures of each scene, the page's own";
+  const std::size_t own = 3 + study.cases.size();
+  EXPECT_EQ(count(page, "<script"), own)
+      << "results, their provenance, the pictures of each scene, the page's own";
   EXPECT_EQ(count(page, "</script>"), own);
   EXPECT_THAT(page, HasSubstr("&lt;img src=x onerror=alert(1)&gt;&quot;"));
   EXPECT_THAT(page, HasSubstr("{{x}}")) << "text is not taken for a template";
@@ -121,7 +122,10 @@ TEST(Page, CarriesItsResults) {
   const Study study = mixed_study();
   const std::string data =
       between(html(study), "<script type=\"text/plain\" id=\"results\">", "</script>");
-  EXPECT_EQ(data, deflated(results_json(study, -1)));
+  EXPECT_EQ(data, deflated(reproducible_json(study)));
+  const std::string provenance =
+      between(html(study), "<script type=\"application/json\" id=\"provenance\">", "</script>");
+  EXPECT_THAT(provenance, HasSubstr("\"started\":\"2020-02-03 04:05 UTC\""));
 }
 
 TEST(Page, ShowsARendererThatFailedWithItsLog) {
