@@ -1,6 +1,7 @@
 // intersect.h: where a ray meets a sphere, a plane, a box or a triangle.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -9,10 +10,10 @@
 namespace litmus {
 
 /// origin + t * direction for t in (0, limit). The direction need not be unit.
-template <Real R>
+template <Value V>
 struct Ray {
-  Vec<R> origin, direction;
-  R limit = std::numeric_limits<R>::infinity();
+  Vec<V> origin, direction;
+  V limit = std::numeric_limits<Scalar<V>>::infinity();
 };
 
 template <Real R>
@@ -30,58 +31,86 @@ struct BoxSurface {
 };
 
 /// The two parameters where a line enters and leaves; enter > leave if it misses.
-template <Real R>
+template <Value V>
 struct Chord {
-  R enter = 1, leave = 0;
-  int enter_face = 0, leave_face = 0;  ///< boxes: axis * 2 + (1 for the upper face)
+  V enter = Scalar<V>(1), leave = Scalar<V>(0);
+  /// Boxes: axis * 2 + (1 for the upper face).
+  Index<V> enter_face = 0, leave_face = 0;
 };
+
+/// A sphere whose square would over- or underflow, with its ray, at a power of two of their size.
+template <Value V>
+Chord<V> intersect_scaled(const SphereSurface<Scalar<V>>& sphere, const Ray<V>& ray);
 
 /// Haines, Guenther and Akenine-Moeller 2019 (Ray Tracing Gems, chapter 7): the discriminant from
 /// the distance of the centre to the ray, which does not cancel for a small far sphere. A tangent
 /// is a hit.
-template <Real R>
-Chord<R> intersect(const SphereSurface<R>& sphere, const Ray<R>& ray) {
+template <Value V>
+Chord<V> intersect(const SphereSurface<Scalar<V>>& sphere, const Ray<V>& ray) {
   using std::sqrt;
-  const Vec<R> f = ray.origin - sphere.center;
-  const R a = dot(ray.direction, ray.direction);
-  const R b = -dot(f, ray.direction);
-  const R nearest = direction_of(f + (b / a) * ray.direction).length;
-  const R discriminant = (sphere.radius - nearest) * (sphere.radius + nearest);
-  if (!(discriminant >= 0)) return {};
-  const R root = sqrt(a * discriminant);
-  const R q = b < 0 ? b - root : b + root;
-  if (q == 0) return {R(0), R(0)};
-  const R distance = direction_of(f).length;
-  const R c = (distance - sphere.radius) * (distance + sphere.radius);
-  const R t0 = c / q, t1 = q / a;
-  return t0 < t1 ? Chord<R>{t0, t1} : Chord<R>{t1, t0};
+  using R = Scalar<V>;
+  const R radius = sphere.radius;
+  if (!(radius * radius > SafeSquares<R>::kSmall && radius * radius < SafeSquares<R>::kLarge)) {
+    return intersect_scaled(sphere, ray);
+  }
+  const Vec<V> f = ray.origin - Vec<V>(sphere.center);
+  const V b = -dot(f, ray.direction);
+  const V a = dot(ray.direction, ray.direction);
+  const V inverse = R(1) / a;
+  const Vec<V> nearest = f + (b * inverse) * ray.direction;
+  const V discriminant = radius * radius - dot(nearest, nearest);
+  const Mask<V> hits = discriminant >= R(0);
+  if (none_of(hits)) return {};
+  const V root = sqrt(select(hits, V(a * discriminant), V(R(0))));
+  const V q = select(b < R(0), V(b - root), V(b + root));
+  const V distance = direction_of(f).length;
+  const V c = (distance - radius) * (distance + radius);
+  const V t0 = select(q == R(0), V(R(0)), V(c / q)), t1 = q * inverse;
+  const Mask<V> ordered = t0 < t1;
+  return {select(hits, select(ordered, t0, t1), V(R(1))),
+          select(hits, select(ordered, t1, t0), V(R(0)))};
+}
+
+template <Value V>
+Chord<V> intersect_scaled(const SphereSurface<Scalar<V>>& sphere, const Ray<V>& ray) {
+  using std::frexp, std::ldexp;
+  using R = Scalar<V>;
+  int exponent = 0;
+  frexp(sphere.radius, &exponent);
+  const R scale = ldexp(R(1), std::min(-exponent, std::numeric_limits<R>::max_exponent - 2));
+  const Chord<V> chord = intersect(SphereSurface<R>{scale * sphere.center, scale * sphere.radius},
+                                   Ray<V>{V(scale) * ray.origin, ray.direction});
+  return {chord.enter / scale, chord.leave / scale};
 }
 
 /// The one parameter where a line crosses a plane; negative if it is parallel to it.
-template <Real R>
-R intersect(const PlaneSurface<R>& plane, const Ray<R>& ray) {
-  const R slope = dot(plane.normal, ray.direction);
-  if (slope == 0) return R(-1);
-  return dot(plane.point - ray.origin, plane.normal) / slope;
+template <Value V>
+V intersect(const PlaneSurface<Scalar<V>>& plane, const Ray<V>& ray) {
+  using R = Scalar<V>;
+  const Vec<V> normal(plane.normal);
+  const V slope = dot(normal, ray.direction);
+  return select(slope == R(0), V(R(-1)), V(dot(Vec<V>(plane.point) - ray.origin, normal) / slope));
 }
 
 /// Slabs. The comparisons are ordered so that 0 * infinity (a ray in the plane of a face) changes
 /// nothing.
-template <Real R>
-Chord<R> intersect(const BoxSurface<R>& box, const Ray<R>& ray) {
+template <Value V>
+Chord<V> intersect(const BoxSurface<Scalar<V>>& box, const Ray<V>& ray) {
+  using R = Scalar<V>;
   constexpr R kInfinity = std::numeric_limits<R>::infinity();
-  Chord<R> chord{-kInfinity, kInfinity};
+  Chord<V> chord{V(-kInfinity), V(kInfinity)};
   for (int axis = 0; axis < 3; ++axis) {
-    const R inverse = 1 / ray.direction[axis];
-    R low = (box.min[axis] - ray.origin[axis]) * inverse;
-    R high = (box.max[axis] - ray.origin[axis]) * inverse;
-    int low_face = 2 * axis, high_face = 2 * axis + 1;
-    if (inverse < 0) {
-      std::swap(low, high);
-      std::swap(low_face, high_face);
-    }
-    if (low > chord.enter) chord.enter = low, chord.enter_face = low_face;
-    if (high < chord.leave) chord.leave = high, chord.leave_face = high_face;
+    const V inverse = R(1) / ray.direction[axis];
+    const V one = (box.min[axis] - ray.origin[axis]) * inverse;
+    const V other = (box.max[axis] - ray.origin[axis]) * inverse;
+    const Mask<V> backwards = inverse < R(0);
+    const V low = select(backwards, other, one), high = select(backwards, one, other);
+    const Mask<V> enters = low > chord.enter, leaves = high < chord.leave;
+    const Index<V> lower = 2 * axis, upper = 2 * axis + 1;
+    chord.enter_face = select(enters, select(backwards, upper, lower), chord.enter_face);
+    chord.leave_face = select(leaves, select(backwards, lower, upper), chord.leave_face);
+    chord.enter = select(enters, low, chord.enter);
+    chord.leave = select(leaves, high, chord.leave);
   }
   return chord;
 }
@@ -104,34 +133,36 @@ struct ShearedRay {
 };
 
 /// t and barycentric weights of a, b, c; t is negative if the line misses.
-template <Real R>
+template <Value V>
 struct TriangleHit {
-  R t{-1}, u{}, v{}, w{};
+  V t = Scalar<V>(-1), u{}, v{}, w{};
 };
 
-/// Watertight: neighbours that share an edge compute the same edge function, so nothing passes
-/// between them. The edge functions are differences of products with one rounding, which
-/// contraction by a compiler cannot change.
-template <Real R>
-TriangleHit<R> intersect(const std::array<Vec<R>, 3>& triangle, const Ray<R>& ray,
-                         const ShearedRay<R>& s) {
+/// One ray against one triangle, or against a packet of them. Watertight: neighbours that share an
+/// edge compute the same edge function, so nothing passes between them. The edge functions are
+/// differences of products with one rounding, which contraction by a compiler cannot change.
+template <Real R, Value V = R>
+TriangleHit<V> intersect(const std::type_identity_t<std::array<Vec<V>, 3>>& triangle,
+                         const Ray<R>& ray, const ShearedRay<R>& s) {
   // Move the triangle so that the ray starts at the origin and runs along z.
-  const Vec<R> a = triangle[0] - ray.origin, b = triangle[1] - ray.origin,
-               c = triangle[2] - ray.origin;
-  const R ax = a[s.kx] - s.sx * a[s.kz], ay = a[s.ky] - s.sy * a[s.kz];
-  const R bx = b[s.kx] - s.sx * b[s.kz], by = b[s.ky] - s.sy * b[s.kz];
-  const R cx = c[s.kx] - s.sx * c[s.kz], cy = c[s.ky] - s.sy * c[s.kz];
+  const Vec<V> origin(ray.origin);
+  const Vec<V> a = triangle[0] - origin, b = triangle[1] - origin, c = triangle[2] - origin;
+  const V ax = a[s.kx] - s.sx * a[s.kz], ay = a[s.ky] - s.sy * a[s.kz];
+  const V bx = b[s.kx] - s.sx * b[s.kz], by = b[s.ky] - s.sy * b[s.kz];
+  const V cx = c[s.kx] - s.sx * c[s.kz], cy = c[s.ky] - s.sy * c[s.kz];
 
   // Ask on which side of each edge the axis passes.
-  const R u = difference_of_products(cx, by, cy, bx);
-  const R v = difference_of_products(ax, cy, ay, cx);
-  const R w = difference_of_products(bx, ay, by, ax);
-  if ((u < 0 || v < 0 || w < 0) && (u > 0 || v > 0 || w > 0)) return {};
-  const R total = u + v + w;
-  if (total == 0) return {};
+  const V u = difference_of_products(cx, by, cy, bx);
+  const V v = difference_of_products(ax, cy, ay, cx);
+  const V w = difference_of_products(bx, ay, by, ax);
+  const Mask<V> below = (u < R(0)) | (v < R(0)) | (w < R(0));
+  const Mask<V> above = (u > R(0)) | (v > R(0)) | (w > R(0));
+  const V total = u + v + w;
+  const Mask<V> hits = !(below & above) & (total != R(0));
+  if (none_of(hits)) return {};
 
-  const R t = (u * (s.sz * a[s.kz]) + v * (s.sz * b[s.kz]) + w * (s.sz * c[s.kz])) / total;
-  return {t, u / total, v / total, w / total};
+  const V t = (u * (s.sz * a[s.kz]) + v * (s.sz * b[s.kz]) + w * (s.sz * c[s.kz])) / total;
+  return {select(hits, t, V(R(-1))), u / total, v / total, w / total};
 }
 
 }  // namespace litmus

@@ -2,6 +2,9 @@
 // jump.
 #pragma once
 
+#include <algorithm>
+#include <array>
+
 #include "scene/picture.h"
 #include "tracer/shade.h"
 #include "tracer/sum.h"
@@ -9,13 +12,32 @@
 
 namespace litmus {
 
+/// A number for each lane of a value, which need not be one that fits into a packet.
+template <class T, Value V>
+using PerLane = std::conditional_t<kLanes<V> == 1, T, std::array<T, std::size_t(kLanes<V>)>>;
+
+template <class T>
+T& at_lane(T& one, int) {
+  return one;
+}
+template <class T, std::size_t N>
+T& at_lane(std::array<T, N>& all, int i) {
+  return all[std::size_t(i)];
+}
+template <class T, std::size_t N>
+const T& at_lane(const std::array<T, N>& all, int i) {
+  return all[std::size_t(i)];
+}
+
 /// The terms of a light summed over its lamps, and everything discrete that went into them.
-template <Real R>
+template <Value V>
 struct LightTerms {
-  Sum<R> diffuse{}, specular{};
-  Sum<R> unoccluded{};          ///< lamps with nothing in between (the sample code's reading only)
-  std::uint64_t signature = 0;  ///< changes with visibility, side and cone membership of any lamp
-  std::uint8_t flags = 0;       ///< kLit, kPenumbra or kUmbra, and kHighlight (scene/picture.h)
+  Sum<V> diffuse{}, specular{};
+  Sum<V> unoccluded{};  ///< lamps with nothing in between (the sample code's reading only)
+  /// Changes with visibility, side and cone membership of any lamp.
+  PerLane<std::uint64_t, V> signature{};
+  /// kLit, kPenumbra or kUmbra, and kHighlight (scene/picture.h).
+  PerLane<std::uint8_t, V> flags{};
 };
 
 /// Mixes a small number into a signature (the finaliser of splitmix64, Steele et al. 2014).
@@ -26,76 +48,136 @@ inline std::uint64_t mix(std::uint64_t signature, std::uint64_t value) {
   return z ^ (z >> 31);
 }
 
+/// The finish of what is hit, lane by lane; of the first object where nothing is.
+template <Real R, Value V>
+Finish<V> finish_of(const Plan<R>& plan, const Hit<V>& hit) {
+  if constexpr (kLanes<V> == 1) {
+    return plan.finishes[std::size_t(std::max(hit.object, 0))];
+  } else {
+    Finish<V> all;
+    for (Mask<V> left = hit.object >= Index<V>(0); any_of(left);) {
+      const Scalar<V> object = lane(hit.object, first_of(left));
+      const Finish<R>& one = plan.finishes[std::size_t(object)];
+      const Mask<V> on = hit.object == Index<V>(object);
+      all = {select(on, Vec<V>(one.ambient), all.ambient),
+             select(on, Vec<V>(one.diffuse), all.diffuse),
+             select(on, Vec<V>(one.specular), all.specular),
+             select(on, V(one.shininess), all.shininess), (on & one.shiny) | (!on & all.shiny)};
+      left = left & !on;
+    }
+    return all;
+  }
+}
+
 /// What one lamp does to a hit.
-template <Real R>
+template <Value V>
 struct LampTerms {
-  Incident<R> light;
-  bool faces = false, shades = false;  ///< the geometric, the shading normal is on the lamp's side
-  bool reached = false;                ///< and there is light, if nothing is in its way
-  bool lit = false;                    ///< and nothing is
-  Terms<R> terms;                      ///< not yet shared among the lamps; 0 where not lit
+  Incident<V> light;
+  Mask<V> faces = false, shades = false;  ///< the geometric, the shading normal is on its side
+  Mask<V> reached = false;                ///< and there is light, if nothing is in its way
+  Mask<V> lit = false;                    ///< and nothing is
+  Terms<V> terms;                         ///< not yet shared among the lamps; 0 where not lit
 };
 
 /// D and S of one lamp at a hit seen from the direction `eye` (unit, towards the eye).
-template <Real R>
-LampTerms<R> lamp_terms(const Plan<R>& plan, const Lamp<R>& lamp, const Hit<R>& hit,
-                        const Vec<R>& eye) {
-  const Finish<R>& finish = plan.finishes[std::size_t(hit.object)];
-  LampTerms<R> result;
+template <Real R, Value V>
+LampTerms<V> lamp_terms(const Plan<R>& plan, const Lamp<R>& lamp, const Hit<V>& hit,
+                        const Finish<V>& finish, const Vec<V>& eye) {
+  const Mask<V> seen = hit.object >= Index<V>(0);
+  LampTerms<V> result;
   result.light = incident(lamp, hit.point);
-  const Incident<R>& light = result.light;
-  result.faces = dot(light.direction, hit.geometric) > 0;
-  result.shades = dot(light.direction, hit.normal) > 0;
-  result.reached = plan.sample_code || (result.faces && result.shades && light.intensity > 0);
-  result.lit = result.reached && !(plan.shadows && occluded(plan, hit, light));
-  if (!result.lit) return result;
-  const auto answer = plan.sample_code ? sample_code_terms<R> : equation_terms<R>;
-  result.terms =
-      answer(light.direction, eye, hit.normal, finish.shininess, light.intensity, finish.shiny);
+  const Incident<V>& light = result.light;
+  result.faces = dot(light.direction, hit.geometric) > R(0);
+  result.shades = dot(light.direction, hit.normal) > R(0);
+  result.reached =
+      plan.sample_code ? seen : seen & result.faces & result.shades & (light.intensity > R(0));
+  result.lit = result.reached;
+  if (plan.shadows && any_of(result.reached)) {
+    result.lit = result.reached & !occluded(plan, hit, light, result.reached);
+  }
+  if (none_of(result.lit)) return result;
+  const auto answer = plan.sample_code ? sample_code_terms<V> : equation_terms<V>;
+  const Terms<V> terms = answer(light.direction, eye, hit.normal, finish.shininess, light.intensity,
+                                any_of(finish.shiny));
+  result.terms = {select(result.lit, terms.diffuse, V(R(0))),
+                  select(result.lit & finish.shiny, terms.specular, V(R(0)))};
   return result;
 }
 
-/// D and S of one light at a hit seen from the direction `eye` (unit, towards the eye).
+/// lamp_terms() of the finish that is hit.
 template <Real R>
-LightTerms<R> light_terms(const Plan<R>& plan, const Source<R>& source, const Hit<R>& hit,
-                          const Vec<R>& eye) {
-  LightTerms<R> total;
+LampTerms<R> lamp_terms(const Plan<R>& plan, const Lamp<R>& lamp, const Hit<R>& hit,
+                        const Vec<R>& eye) {
+  return lamp_terms(plan, lamp, hit, finish_of(plan, hit), eye);
+}
+
+/// What is discrete about a lamp's terms, mixed into a lane's signature.
+template <Value V>
+std::uint64_t mix(std::uint64_t signature, const LampTerms<V>& one, int i) {
+  return mix(signature, std::uint64_t(lane(one.faces, i)) |
+                            std::uint64_t(lane(one.shades, i)) << 1 |
+                            std::uint64_t(lane(one.light.in_cone, i)) << 2 |
+                            std::uint64_t(lane(one.lit, i)) << 3);
+}
+
+/// D and S of one light at a hit seen from the direction `eye` (unit, towards the eye).
+template <Real R, Value V>
+LightTerms<V> light_terms(const Plan<R>& plan, const Source<R>& source, const Hit<V>& hit,
+                          const Finish<V>& finish, const Vec<V>& eye) {
+  constexpr int kCount = kLanes<V>;
+  LightTerms<V> total;
   // Near a silhouette an interpolated normal may be turned the other way than the geometric one.
-  total.signature = dot(hit.normal, hit.geometric) < 0;
-  std::size_t reached = 0, lit = 0;
-  Total<R> diffuse, specular;
+  const Mask<V> turned = dot(hit.normal, hit.geometric) < R(0);
+  for (int i = 0; i < kCount; ++i) at_lane(total.signature, i) = lane(turned, i);
+  Total<V> diffuse, specular;
+  Mask<V> any_reached = false, any_lit = false, any_hidden = false, highlight = false;
   for (const Lamp<R>& lamp : source.lamps) {
-    const LampTerms<R> one = lamp_terms(plan, lamp, hit, eye);
-    reached += one.reached, lit += one.lit;
-    if (one.terms.specular > one.light.intensity / 2) total.flags |= kHighlight;
-    total.signature = mix(total.signature,
-                          std::uint64_t(one.faces) | std::uint64_t(one.shades) << 1 |
-                              std::uint64_t(one.light.in_cone) << 2 | std::uint64_t(one.lit) << 3);
-    if (!one.lit) continue;
+    const LampTerms<V> one = lamp_terms(plan, lamp, hit, finish, eye);
+    any_reached = any_reached | one.reached, any_lit = any_lit | one.lit;
+    any_hidden = any_hidden | (one.reached & !one.lit);
+    highlight = highlight | (one.terms.specular > one.light.intensity * R(0.5));
+    for (int i = 0; i < kCount; ++i) {
+      at_lane(total.signature, i) = mix(at_lane(total.signature, i), one, i);
+    }
     diffuse.add(one.terms.diffuse);
     specular.add(one.terms.specular);
-    if (plan.sample_code) total.unoccluded += 1;
+    if (plan.sample_code) total.unoccluded += widen(select(one.lit, V(R(1)), V(R(0))));
   }
-  if (reached > 0) total.flags |= lit == reached ? kLit : lit > 0 ? kPenumbra : kUmbra;
-  total.diffuse = diffuse.value() * Sum<R>(source.weight);
-  total.specular = specular.value() * Sum<R>(source.weight);
+  for (int i = 0; i < kCount; ++i) {
+    if (!lane(any_reached, i)) continue;
+    const bool lit = lane(any_lit, i), hidden = lane(any_hidden, i);
+    at_lane(total.flags, i) = std::uint8_t((!hidden ? kLit
+                                            : lit   ? kPenumbra
+                                                    : kUmbra) |
+                                           (lane(highlight, i) ? kHighlight : 0));
+  }
+  total.diffuse = diffuse.value() * Sum<V>(source.weight);
+  total.specular = specular.value() * Sum<V>(source.weight);
   return total;
+}
+
+/// light_terms() of the finish that is hit.
+template <Real R, Value V>
+LightTerms<V> light_terms(const Plan<R>& plan, const Source<R>& source, const Hit<V>& hit,
+                          const Vec<V>& eye) {
+  return light_terms(plan, source, hit, finish_of(plan, hit), eye);
 }
 
 /// Slide 5 for one light: kd Id D + ks Is S per channel; the sample code adds A for each lamp in
 /// view and takes the light's diffuse colour for both terms.
-template <Real R>
-Vec<Sum<R>> light_color(const Plan<R>& plan, const Source<R>& source, const Finish<R>& finish,
-                        const LightTerms<R>& terms) {
-  const Terms<Sum<R>> factors{terms.diffuse, terms.specular};
+template <Real R, Value V>
+Vec<Sum<V>> light_color(const Plan<R>& plan, const Source<R>& source, const Finish<V>& finish,
+                        const LightTerms<V>& terms) {
+  using S = Sum<V>;
+  const Terms<S> factors{terms.diffuse, terms.specular};
   const Vec<R>& highlight = plan.sample_code ? source.diffuse : source.specular;
-  const auto channel = [&](R kd, R id, R ks, R is, R ka, R ia) {
-    const Sum<R> light = reflected<Sum<R>>(factors, Sum<R>(kd), Sum<R>(id), Sum<R>(ks), Sum<R>(is));
-    return plan.sample_code ? light + terms.unoccluded * (Sum<R>(ka) * Sum<R>(ia)) : light;
+  const auto channel = [&](const V& kd, R id, const V& ks, R is, const V& ka, R ia) {
+    const S light = reflected<S>(factors, widen(kd), S(id), widen(ks), S(is));
+    return plan.sample_code ? S(light + terms.unoccluded * (widen(ka) * S(ia))) : light;
   };
-  const Vec<R>& a = finish.ambient;
-  const Vec<R>& d = finish.diffuse;
-  const Vec<R>& s = finish.specular;
+  const Vec<V>& a = finish.ambient;
+  const Vec<V>& d = finish.diffuse;
+  const Vec<V>& s = finish.specular;
   return {channel(d.x, source.diffuse.x, s.x, highlight.x, a.x, plan.ambient.x),
           channel(d.y, source.diffuse.y, s.y, highlight.y, a.y, plan.ambient.y),
           channel(d.z, source.diffuse.z, s.z, highlight.z, a.z, plan.ambient.z)};

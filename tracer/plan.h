@@ -27,11 +27,12 @@ struct TriangleInfo {
   bool smooth = false;
 };
 
-template <Real R>
+/// A material as the kernel reads it.
+template <Value V>
 struct Finish {
-  Vec<R> ambient, diffuse, specular;
-  R shininess;
-  bool shiny;
+  Vec<V> ambient, diffuse, specular;
+  V shininess{};
+  Mask<V> shiny = false;
 };
 
 /// The lamps of one light: one, or the samples of its area.

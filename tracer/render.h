@@ -25,7 +25,8 @@ struct Rendering {
   Layers layers;  ///< ambient, then each light in the scene's order
   Picture whole;  ///< added up light by light at each sample, not from the layers
   std::vector<Signature> signatures;  ///< one per layer
-  /// Per layer and pixel what its light does there: kLit and so on (scene/picture.h); 0 for ambient.
+  /// Per layer and pixel what its light does there: kLit and so on (scene/picture.h); 0 for
+  /// ambient.
   std::vector<std::vector<std::uint8_t>> flags;
   double seconds = 0;  ///< wall clock of the pixels alone, without lowering the scene
 };

@@ -5,25 +5,25 @@
 
 namespace litmus {
 
-/// A sum of terms of one sign, right to one unit in the last place of R for up to 4096 terms in any
+/// A sum of terms of one sign, right to one unit in the last place of V for up to 4096 terms in any
 /// order. A float sum is kept in double; the others carry the rounding error of every addition
 /// along (Knuth 1997, vol. 2, 4.2.2, theorem B), where plain addition loses 20 units.
-template <Real R>
+template <Value V>
 class Total {
  public:
-  void add(R term) {
-    if constexpr (std::is_same_v<R, float>) {
-      sum_ += double(term);
+  void add(const V& term) {
+    if constexpr (std::is_same_v<Scalar<V>, float>) {
+      sum_ += widen(term);
     } else {
-      const R sum = sum_ + term, part = sum - sum_;
+      const V sum = sum_ + term, part = sum - sum_;
       lost_ += (sum_ - (sum - part)) + (term - part);
       sum_ = sum;
     }
   }
-  Sum<R> value() const { return sum_ + lost_; }
+  Sum<V> value() const { return sum_ + lost_; }
 
  private:
-  Sum<R> sum_{}, lost_{};
+  Sum<V> sum_{}, lost_{};
 };
 
 }  // namespace litmus

@@ -1,8 +1,13 @@
-// value.h: the scalars that the kernel is written for, and vectors of them.
+// value.h: the numbers that the kernel is written for, and vectors of them.
+//
+// A Value is one scalar (Real) or a packet of scalars (packet.h) that are computed side by side. A
+// formula written for Value has no branch on numbers: it computes both sides and selects, so that
+// every lane of a packet gets the same bits as a scalar would.
 #pragma once
 
 #include <boost/multiprecision/float128.hpp>
 #include <cmath>
+#include <cstdint>
 #include <glm/vec3.hpp>
 #include <limits>
 #include <type_traits>
@@ -15,9 +20,62 @@ using Quad = boost::multiprecision::float128;  ///< 113 bits: the oracle of the 
 template <class T>
 concept Real = std::is_floating_point_v<T> || std::is_same_v<T, Quad>;
 
-/// Where many terms meet: a float kernel adds up in double, every other one in its own type.
+/// What belongs to a value type; packet.h adds packets.
+template <class V>
+struct ValueTraits {
+  using Scalar = V;  ///< of a lane
+  using Mask = bool;
+  using Index = int;  ///< a number of an object: an int, or a lane each
+  using Bits = std::conditional_t<sizeof(V) == 4, std::uint32_t, std::uint64_t>;
+  /// Where many terms meet: a float kernel adds up in double, every other one in its own type.
+  using Sum = std::conditional_t<std::is_same_v<V, float>, double, V>;
+  static constexpr int kLanes = 1;
+};
+
+template <class V>
+using Scalar = typename ValueTraits<V>::Scalar;
+template <class V>
+using Mask = typename ValueTraits<V>::Mask;
+template <class V>
+using Index = typename ValueTraits<V>::Index;
+template <class V>
+using Bits = typename ValueTraits<V>::Bits;
+template <class V>
+using Sum = typename ValueTraits<V>::Sum;
+template <class V>
+inline constexpr int kLanes = ValueTraits<V>::kLanes;
+
+/// A Real or a packet of float or double.
+template <class V>
+concept Value = Real<Scalar<V>>;
+
+// ---- A scalar as a packet of one lane --------------------------------------------------------
+
+/// a where the condition holds, else b; both are computed.
+template <class T>
+T select(bool condition, const T& a, const T& b) {
+  return condition ? a : b;
+}
+inline bool any_of(bool mask) { return mask; }
+inline bool all_of(bool mask) { return mask; }
+inline bool none_of(bool mask) { return !mask; }
+inline int count_of(bool mask) { return mask; }
+
+/// One lane of a value, of a mask or of an index.
+template <class T>
+requires(Real<T> || std::is_integral_v<T>) T lane(const T& value, int) { return value; }
+template <class T>
+requires(Real<T> || std::is_integral_v<T>) void set_lane(T& value, int, const T& scalar) {
+  value = scalar;
+}
+
+/// The value in the type that sums are made in.
 template <Real R>
-using Sum = std::conditional_t<std::is_same_v<R, float>, double, R>;
+Sum<R> widen(const R& value) {
+  return Sum<R>(value);
+}
+
+// ---- Rounding --------------------------------------------------------------------------------
 
 /// Half the distance from 1 to the next number: the largest relative rounding error of one
 /// operation.
@@ -32,83 +90,122 @@ R gamma_bound(int n) {
 
 /// a*b - c*d to 1.5 ulp (Kahan; Jeannerod, Louvet and Muller 2013): the rounding error of c*d is
 /// added back.
-template <Real R>
-R difference_of_products(R a, R b, R c, R d) {
-  if constexpr (std::is_same_v<R, Quad>) {
+template <Value V>
+V difference_of_products(const V& a, const V& b, const V& c, const V& d) {
+  if constexpr (std::is_same_v<V, Quad>) {
     return a * b - c * d;
   } else {
-    const R product = c * d;
-    return std::fma(a, b, -product) + std::fma(-c, d, product);
+    using std::fma;
+    const V product = c * d;
+    return fma(a, b, -product) + fma(-c, d, product);
   }
 }
 
-template <Real R>
+// ---- Vectors ---------------------------------------------------------------------------------
+
+template <Value V>
 struct Vec {
-  R x{}, y{}, z{};
+  V x{}, y{}, z{};
 
   Vec() = default;
-  Vec(R x, R y, R z) : x(x), y(y), z(z) {}
-  explicit Vec(const glm::dvec3& v) : x(R(v.x)), y(R(v.y)), z(R(v.z)) {}
+  Vec(const V& x, const V& y, const V& z) : x(x), y(y), z(z) {}
+  explicit Vec(const glm::dvec3& v) : x(Scalar<V>(v.x)), y(Scalar<V>(v.y)), z(Scalar<V>(v.z)) {}
+  /// The same vector in every lane.
+  template <class S>
+  requires(!std::is_same_v<S, V> && std::is_same_v<S, Scalar<V>>) explicit Vec(const Vec<S>& v)
+      : x(v.x), y(v.y), z(v.z) {}
 
-  R operator[](int axis) const { return axis == 0 ? x : axis == 1 ? y : z; }
+  const V& operator[](int axis) const { return axis == 0 ? x : axis == 1 ? y : z; }
   Vec operator-() const { return {-x, -y, -z}; }
   friend Vec operator+(const Vec& a, const Vec& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
   friend Vec operator-(const Vec& a, const Vec& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
   friend Vec operator*(const Vec& a, const Vec& b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
-  friend Vec operator*(R s, const Vec& v) { return {s * v.x, s * v.y, s * v.z}; }
-  friend Vec operator/(const Vec& v, R s) { return {v.x / s, v.y / s, v.z / s}; }
+  friend Vec operator*(const V& s, const Vec& v) { return {s * v.x, s * v.y, s * v.z}; }
+  friend Vec operator/(const Vec& v, const V& s) { return {v.x / s, v.y / s, v.z / s}; }
   friend bool operator==(const Vec&, const Vec&) = default;
 };
 
-template <Real R>
-R dot(const Vec<R>& a, const Vec<R>& b) {
+template <Value V>
+requires(kLanes<V> > 1) Vec<V> select(const Mask<V>& mask, const Vec<V>& a, const Vec<V>& b) {
+  return {select(mask, a.x, b.x), select(mask, a.y, b.y), select(mask, a.z, b.z)};
+}
+
+template <Value V>
+V dot(const Vec<V>& a, const Vec<V>& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-template <Real R>
-Vec<R> cross(const Vec<R>& a, const Vec<R>& b) {
+template <Value V>
+Vec<V> cross(const Vec<V>& a, const Vec<V>& b) {
   return {difference_of_products(a.y, b.z, a.z, b.y), difference_of_products(a.z, b.x, a.x, b.z),
           difference_of_products(a.x, b.y, a.y, b.x)};
 }
 
 /// The largest absolute value of a component.
-template <Real R>
-R max_abs(const Vec<R>& v) {
+template <Value V>
+V max_abs(const Vec<V>& v) {
   using std::fabs;
-  const R x = fabs(v.x), y = fabs(v.y), z = fabs(v.z);
-  return x > y ? (x > z ? x : z) : (y > z ? y : z);
+  const V x = fabs(v.x), y = fabs(v.y), z = fabs(v.z);
+  const V xz = select(x > z, x, z), yz = select(y > z, y, z);
+  return select(x > y, xz, yz);
 }
 
-/// A vector as unit direction and length. A zero vector has length 0 and a zero direction.
+/// 2^exponent; compiled away where the exponent is a constant.
 template <Real R>
-struct Direction {
-  Vec<R> unit;
-  R length{};
+constexpr R two_to(int exponent) {
+  R power = 1;
+  for (; exponent > 0; --exponent) power *= 2;
+  for (; exponent < 0; ++exponent) power /= 2;
+  return power;
+}
+
+/// Powers of two around which direction_of() finds its way.
+template <Real R>
+struct SafeSquares {
+  static constexpr int kMost = std::numeric_limits<R>::max_exponent;
+  static constexpr int kLeast = std::numeric_limits<R>::min_exponent;
+  static inline const R kSmall = two_to<R>(kLeast / 2), kLarge = two_to<R>(kMost / 2);
+  static inline const R kShrink = two_to<R>(-kMost * 5 / 8), kGrow = two_to<R>(kMost * 11 / 16);
 };
 
-/// Splits a vector whose squared length may over- or underflow: it is then scaled by a power of two
-/// first, which changes no digit of the result.
-template <Real R>
-Direction<R> direction_of(const Vec<R>& v) {
-  using std::frexp, std::ldexp, std::sqrt;
-  static const R kSmall = ldexp(R(1), std::numeric_limits<R>::min_exponent / 2);
-  static const R kLarge = ldexp(R(1), std::numeric_limits<R>::max_exponent / 2);
-  const R squared = dot(v, v);
-  if (squared > kSmall && squared < kLarge) {
-    const R length = sqrt(squared);
-    return {v / length, length};
-  }
-  const R largest = max_abs(v);
-  if (!(largest > 0) || !(largest <= std::numeric_limits<R>::max())) return {};
-  int exponent = 0;
-  frexp(largest, &exponent);
-  const Vec<R> scaled{ldexp(v.x, -exponent), ldexp(v.y, -exponent), ldexp(v.z, -exponent)};
-  const R length = sqrt(dot(scaled, scaled));
-  return {scaled / length, ldexp(length, exponent)};
+/// A vector as unit direction and length. A zero vector has length 0 and a zero direction.
+template <Value V>
+struct Direction {
+  Vec<V> unit;
+  V length{};
+};
+
+/// direction_of() where the squared length may over- or underflow: scaled by a power of two first,
+/// which changes no digit of the result.
+template <Value V>
+Direction<V> scaled_direction_of(const Vec<V>& v) {
+  using std::sqrt;
+  using R = Scalar<V>;
+  const V largest = max_abs(v);
+  const Mask<V> sound = (largest > R(0)) & (largest <= std::numeric_limits<R>::max());
+  const Mask<V> large = largest > R(1);
+  const V scale = select(large, V(SafeSquares<R>::kShrink), V(SafeSquares<R>::kGrow));
+  const Vec<V> scaled = scale * v;
+  const V length = sqrt(dot(scaled, scaled));
+  return {select(sound, scaled / length, Vec<V>{}), select(sound, V(length / scale), V(R(0)))};
 }
 
-template <Real R>
-Vec<R> normalize(const Vec<R>& v) {
+/// Splits a vector into its direction and its length, both to a few ulp for any finite vector.
+template <Value V>
+Direction<V> direction_of(const Vec<V>& v) {
+  using std::sqrt;
+  using R = Scalar<V>;
+  const V squared = dot(v, v);
+  const Mask<V> safe = (squared > SafeSquares<R>::kSmall) & (squared < SafeSquares<R>::kLarge);
+  const V length = sqrt(squared);
+  const Direction<V> plain{v / length, length};
+  if (all_of(safe)) return plain;
+  const Direction<V> careful = scaled_direction_of(v);
+  return {select(safe, plain.unit, careful.unit), select(safe, plain.length, careful.length)};
+}
+
+template <Value V>
+Vec<V> normalize(const Vec<V>& v) {
   return direction_of(v).unit;
 }
 

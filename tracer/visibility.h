@@ -8,186 +8,346 @@ namespace litmus {
 
 enum class Kind { None, Sphere, Plane, Box, Triangle };
 
+/// A Kind, or a lane each.
+template <Value V>
+using KindOf = std::conditional_t<kLanes<V> == 1, Kind, Index<V>>;
+
+template <Value V>
+KindOf<V> kind_value(Kind kind) {
+  if constexpr (kLanes<V> == 1) {
+    return kind;
+  } else {
+    return Index<V>(Scalar<V>(int(kind)));
+  }
+}
+
 /// The point seen. `kind` and `index` name the entry of the plan's list; `face` the face of a box.
-template <Real R>
+template <Value V>
 struct Hit {
-  Kind kind = Kind::None;
-  int index = -1, face = 0, object = -1;
-  R t = std::numeric_limits<R>::infinity();
-  R u{}, v{}, w{};   ///< triangles: barycentric weights
-  Vec<R> point;      ///< on the surface itself, not just on the ray
-  Vec<R> geometric;  ///< unit normal of the surface, turned towards the eye
-  Vec<R> normal;     ///< unit normal for shading, turned towards the eye by itself
+  KindOf<V> kind = kind_value<V>(Kind::None);
+  Index<V> index = -1, face = 0, object = -1;
+  V t = std::numeric_limits<Scalar<V>>::infinity();
+  V u{}, v{}, w{};   ///< triangles: barycentric weights
+  Vec<V> point;      ///< on the surface itself, not just on the ray
+  Vec<V> geometric;  ///< unit normal of the surface, turned towards the eye
+  Vec<V> normal;     ///< unit normal for shading, turned towards the eye by itself
 };
 
+template <Value V>
+Kind kind_at(const Hit<V>& hit, int i) {
+  if constexpr (kLanes<V> == 1) {
+    return hit.kind;
+  } else {
+    return Kind(int(lane(hit.kind, i)));
+  }
+}
+
+/// Where the hit is on that surface.
+template <Value V>
+Mask<V> on_surface(const Hit<V>& hit, Kind kind, int index) {
+  return (hit.kind == kind_value<V>(kind)) & (hit.index == Index<V>(index));
+}
+
 /// Nearest first; of equals the object that comes first in the scene, then the lower index.
-template <Real R>
-bool comes_before(R t, int object, int index, const Hit<R>& best) {
-  if (t != best.t) return t < best.t;
-  return object != best.object ? object < best.object : index < best.index;
+template <Value V>
+Mask<V> comes_before(const V& t, int object, int index, const Hit<V>& best) {
+  const Index<V> o(object), i(index);
+  return (t < best.t) |
+         ((t == best.t) & ((o < best.object) | ((o == best.object) & (i < best.index))));
+}
+
+/// One lane of a ray.
+template <Value V>
+Ray<Scalar<V>> lane(const Ray<V>& ray, int i) {
+  return {{lane(ray.origin.x, i), lane(ray.origin.y, i), lane(ray.origin.z, i)},
+          {lane(ray.direction.x, i), lane(ray.direction.y, i), lane(ray.direction.z, i)},
+          lane(ray.limit, i)};
+}
+
+/// Calls visit(lane that is on it, mask of all lanes that are) for each surface that is hit.
+template <Value V, class Visit>
+void for_each_surface(const Hit<V>& hit, Visit visit) {
+  if constexpr (kLanes<V> == 1) {
+    if (hit.object >= 0) visit(0, true);
+  } else {
+    for (Mask<V> left = hit.object >= Index<V>(0); any_of(left);) {
+      const int i = first_of(left);
+      const Mask<V> on =
+          (hit.kind == KindOf<V>(lane(hit.kind, i))) & (hit.index == Index<V>(lane(hit.index, i)));
+      visit(i, on);
+      left = left & !on;
+    }
+  }
+}
+
+// ---- What is seen ----------------------------------------------------------------------------
+
+/// The point of a hit moved onto its surface, with its normals before they are turned.
+template <Value V>
+struct Settled {
+  Vec<V> point, geometric, normal;
+};
+
+template <Value V>
+Settled<V> settle(const SphereSurface<Scalar<V>>& sphere, const Hit<V>& hit) {
+  const Vec<V> center(sphere.center);
+  const Vec<V> normal = normalize(hit.point - center);
+  return {center + V(sphere.radius) * normal, normal, normal};
+}
+
+template <Value V>
+Settled<V> settle(const PlaneSurface<Scalar<V>>& plane, const Hit<V>& hit) {
+  const Vec<V> normal(plane.normal);
+  return {hit.point - dot(hit.point - Vec<V>(plane.point), normal) * normal, normal, normal};
+}
+
+template <Value V>
+Settled<V> settle(const BoxSurface<Scalar<V>>& box, const Hit<V>& hit) {
+  using R = Scalar<V>;
+  Settled<V> settled{hit.point, {}, {}};
+  V* const point[3] = {&settled.point.x, &settled.point.y, &settled.point.z};
+  V* const normal[3] = {&settled.normal.x, &settled.normal.y, &settled.normal.z};
+  for (int axis = 0; axis < 3; ++axis) {
+    const Mask<V> lower = hit.face == Index<V>(2 * axis),
+                  upper = hit.face == Index<V>(2 * axis + 1);
+    *point[axis] = select(lower, V(box.min[axis]), select(upper, V(box.max[axis]), *point[axis]));
+    *normal[axis] = select(lower, V(R(-1)), select(upper, V(R(1)), V(R(0))));
+  }
+  settled.geometric = settled.normal;
+  return settled;
+}
+
+template <Real R, Value V>
+Settled<V> settle(const std::array<Vec<R>, 3>& corners, const TriangleInfo<R>& info,
+                  const Hit<V>& hit) {
+  const auto between = [&](const std::array<Vec<R>, 3>& at) {
+    return hit.u * Vec<V>(at[0]) + hit.v * Vec<V>(at[1]) + hit.w * Vec<V>(at[2]);
+  };
+  const Vec<V> normal(info.normal);
+  return {between(corners), normal, info.smooth ? normalize(between(info.normals)) : normal};
 }
 
 /// The geometric and shading normal of a hit, and its point moved onto the surface.
-template <Real R>
-void settle(const Plan<R>& plan, const Ray<R>& ray, Hit<R>& hit) {
-  hit.point = ray.origin + hit.t * ray.direction;
-  switch (hit.kind) {
-    case Kind::None:
-      return;
-    case Kind::Sphere: {
-      const SphereSurface<R>& sphere = plan.spheres[std::size_t(hit.index)].shape;
-      hit.geometric = normalize(hit.point - sphere.center);
-      hit.point = sphere.center + sphere.radius * hit.geometric;
-      hit.normal = hit.geometric;
-      break;
+template <Real R, Value V>
+void settle(const Plan<R>& plan, const Ray<V>& ray, Hit<V>& hit) {
+  const Mask<V> seen = hit.object >= Index<V>(0);
+  hit.point = ray.origin + select(seen, hit.t, V(R(0))) * ray.direction;
+  Settled<V> all;
+  for_each_surface(hit, [&](int i, const Mask<V>& on) {
+    const auto index = std::size_t(lane(hit.index, i));
+    Settled<V> one;
+    switch (kind_at(hit, i)) {
+      case Kind::None:
+        break;
+      case Kind::Sphere:
+        one = settle(plan.spheres[index].shape, hit);
+        break;
+      case Kind::Plane:
+        one = settle(plan.planes[index].shape, hit);
+        break;
+      case Kind::Box:
+        one = settle(plan.boxes[index].shape, hit);
+        break;
+      case Kind::Triangle:
+        one = settle(plan.triangles[index], plan.triangle_info[index], hit);
+        break;
     }
-    case Kind::Plane: {
-      const PlaneSurface<R>& plane = plan.planes[std::size_t(hit.index)].shape;
-      hit.point = hit.point - dot(hit.point - plane.point, plane.normal) * plane.normal;
-      hit.geometric = hit.normal = plane.normal;
-      break;
-    }
-    case Kind::Box: {
-      const BoxSurface<R>& box = plan.boxes[std::size_t(hit.index)].shape;
-      const int axis = hit.face / 2;
-      const Vec<R>& corner = hit.face % 2 ? box.max : box.min;
-      const R side = hit.face % 2 ? R(1) : R(-1);
-      (axis == 0 ? hit.point.x : axis == 1 ? hit.point.y : hit.point.z) = corner[axis];
-      hit.geometric = {axis == 0 ? side : R(0), axis == 1 ? side : R(0), axis == 2 ? side : R(0)};
-      hit.normal = hit.geometric;
-      break;
-    }
-    case Kind::Triangle: {
-      const auto& corners = plan.triangles[std::size_t(hit.index)];
-      const TriangleInfo<R>& info = plan.triangle_info[std::size_t(hit.index)];
-      hit.point = hit.u * corners[0] + hit.v * corners[1] + hit.w * corners[2];
-      hit.geometric = hit.normal = info.normal;
-      if (!info.smooth) break;
-      hit.normal =
-          normalize(hit.u * info.normals[0] + hit.v * info.normals[1] + hit.w * info.normals[2]);
-      break;
-    }
+    all = {select(on, one.point, all.point), select(on, one.geometric, all.geometric),
+           select(on, one.normal, all.normal)};
+  });
+  const auto towards_eye = [&](const Vec<V>& n) {
+    return select(dot(n, ray.direction) > R(0), -n, n);
+  };
+  hit.point = all.point;
+  hit.geometric = towards_eye(all.geometric), hit.normal = towards_eye(all.normal);
+}
+
+/// Moves a hit to the triangle that a ray meets first, if that comes before.
+template <Real R, Value V>
+void closest_triangle(const Plan<R>& plan, const Ray<V>& rays, Hit<V>& best) {
+  for (int i = 0; i < kLanes<V>; ++i) {
+    Ray<R> ray = lane(rays, i);
+    ray.limit = lane(best.t, i);
+    Hit<R> found;
+    found.t = ray.limit;
+    found.object = int(lane(best.object, i)), found.index = int(lane(best.index, i));
+    const ShearedRay<R> sheared(ray.direction);
+    traverse(plan.bvh, ray, [&](std::uint32_t number) {
+      const int object = plan.triangle_info[number].object, index = int(number);
+      if (!plan.camera_visible[std::size_t(object)]) return false;
+      const TriangleHit<R> hit = intersect(plan.triangles[number], ray, sheared);
+      if (!(hit.t > 0) || !comes_before(hit.t, object, index, found)) return false;
+      found.kind = Kind::Triangle, found.object = object, found.index = index;
+      found.u = hit.u, found.v = hit.v, found.w = hit.w;
+      found.t = ray.limit = hit.t;
+      return false;
+    });
+    if (found.kind == Kind::None) continue;
+    Mask<V> here = false;
+    set_lane(here, i, true);
+    best.kind = select(here, kind_value<V>(Kind::Triangle), best.kind);
+    set_lane(best.object, i, Scalar<Index<V>>(found.object));
+    set_lane(best.index, i, Scalar<Index<V>>(found.index));
+    set_lane(best.t, i, found.t);
+    set_lane(best.u, i, found.u), set_lane(best.v, i, found.v), set_lane(best.w, i, found.w);
   }
-  if (dot(hit.geometric, ray.direction) > 0) hit.geometric = -hit.geometric;
-  if (dot(hit.normal, ray.direction) > 0) hit.normal = -hit.normal;
 }
 
 /// What a ray from the eye sees first among the objects that a camera sees.
-template <Real R>
-Hit<R> closest_hit(const Plan<R>& plan, Ray<R> ray) {
-  Hit<R> best;
-  const auto offer = [&](Kind kind, R t, int object, int index, int face) {
-    if (t > 0 && plan.camera_visible[std::size_t(object)] && comes_before(t, object, index, best)) {
-      best.kind = kind, best.t = t, best.object = object, best.index = index, best.face = face;
-      return true;
-    }
-    return false;
+template <Real R, Value V = R>
+Hit<V> closest_hit(const Plan<R>& plan, const std::type_identity_t<Ray<V>>& ray) {
+  Hit<V> best;
+  const auto offer = [&](Kind kind, const V& t, int object, int index, const Index<V>& face) {
+    const Mask<V> nearer = (t > R(0)) & comes_before(t, object, index, best);
+    best.kind = select(nearer, kind_value<V>(kind), best.kind);
+    best.t = select(nearer, t, best.t);
+    best.object = select(nearer, Index<V>(object), best.object);
+    best.index = select(nearer, Index<V>(index), best.index);
+    best.face = select(nearer, face, best.face);
   };
-  const auto offer_chord = [&](Kind kind, const Chord<R>& chord, int object, int index) {
-    if (chord.enter > chord.leave) return;
-    if (chord.enter > 0) {
-      offer(kind, chord.enter, object, index, chord.enter_face);
-    } else {
-      offer(kind, chord.leave, object, index, chord.leave_face);
-    }
+  const auto offer_chord = [&](Kind kind, const Chord<V>& chord, int object, int index) {
+    const Mask<V> hits = chord.enter <= chord.leave, outside = chord.enter > R(0);
+    const V t = select(hits, select(outside, chord.enter, chord.leave), V(R(-1)));
+    offer(kind, t, object, index, select(outside, chord.enter_face, chord.leave_face));
   };
+  const auto seen = [&](int object) { return plan.camera_visible[std::size_t(object)] != 0; };
   for (int i = 0; const auto& part : plan.planes) {
-    offer(Kind::Plane, intersect(part.shape, ray), part.object, i++, 0);
+    if (seen(part.object)) offer(Kind::Plane, intersect(part.shape, ray), part.object, i, 0);
+    ++i;
   }
   for (int i = 0; const auto& part : plan.spheres) {
-    offer_chord(Kind::Sphere, intersect(part.shape, ray), part.object, i++);
+    if (seen(part.object)) offer_chord(Kind::Sphere, intersect(part.shape, ray), part.object, i);
+    ++i;
   }
   for (int i = 0; const auto& part : plan.boxes) {
-    offer_chord(Kind::Box, intersect(part.shape, ray), part.object, i++);
+    if (seen(part.object)) offer_chord(Kind::Box, intersect(part.shape, ray), part.object, i);
+    ++i;
   }
-  ray.limit = best.t;
-  const ShearedRay<R> sheared(ray.direction);
-  traverse(plan.bvh, ray, [&](std::uint32_t i) {
-    const TriangleHit<R> hit = intersect(plan.triangles[i], ray, sheared);
-    if (offer(Kind::Triangle, hit.t, plan.triangle_info[i].object, int(i), 0)) {
-      best.u = hit.u, best.v = hit.v, best.w = hit.w;
-      ray.limit = best.t;
-    }
-    return false;
-  });
+  if (!plan.triangles.empty()) closest_triangle(plan, ray, best);
   settle(plan, ray, best);
   return best;
 }
 
+// ---- What is in the way ----------------------------------------------------------------------
+
 /// A ray that leaves the surface of a hit and ends before the lamp: nothing at or behind the lamp
 /// is met. Off a triangle it starts above the rounding error of the hit point, so that neighbours
 /// are not met either.
-template <Real R>
-Ray<R> shadow_ray(const Hit<R>& hit, const Incident<R>& light) {
-  Ray<R> ray{hit.point, light.direction, light.distance};
-  if (hit.kind == Kind::Triangle) {
-    const R bound = gamma_bound<R>(16) * max_abs(hit.point);
-    ray.origin = hit.point +
-                 bound * (dot(hit.geometric, light.direction) < 0 ? -hit.geometric : hit.geometric);
+template <Value V>
+Ray<V> shadow_ray(const Hit<V>& hit, const Incident<V>& light) {
+  using R = Scalar<V>;
+  constexpr R kInfinity = std::numeric_limits<R>::infinity();
+  const R bound = gamma_bound<R>(16);
+  Ray<V> ray{hit.point, light.direction, light.distance};
+  const Mask<V> on_triangle = hit.kind == kind_value<V>(Kind::Triangle);
+  if (any_of(on_triangle)) {
+    const Mask<V> away = dot(hit.geometric, light.direction) < R(0);
+    const Vec<V> off = select(away, -hit.geometric, hit.geometric);
+    ray.origin = select(on_triangle, hit.point + (bound * max_abs(hit.point)) * off, hit.point);
   }
-  if (light.distance < std::numeric_limits<R>::infinity()) {
-    ray.limit = light.distance - gamma_bound<R>(16) * (max_abs(hit.point) + light.distance);
-  }
+  const V end = light.distance - bound * (max_abs(hit.point) + light.distance);
+  ray.limit = select(light.distance < kInfinity, end, light.distance);
   return ray;
 }
 
-/// How far a ray that starts on a sphere's or box's own surface runs inside it; not positive if it
-/// leaves at once.
-template <Real R>
-R own_exit(const Plan<R>& plan, const Hit<R>& hit, const Ray<R>& ray) {
-  if (hit.kind == Kind::Sphere) {
-    const Vec<R> outward = hit.point - plan.spheres[std::size_t(hit.index)].shape.center;
-    return -2 * dot(outward, ray.direction) / dot(ray.direction, ray.direction);
-  }
-  const R outward = hit.face % 2 ? ray.direction[hit.face / 2] : -ray.direction[hit.face / 2];
-  return outward >= 0 ? R(-1) : intersect(plan.boxes[std::size_t(hit.index)].shape, ray).leave;
+/// How far a ray that starts on this sphere's own surface runs inside it; not positive if it leaves
+/// at once.
+template <Value V>
+V own_exit(const SphereSurface<Scalar<V>>& sphere, const Hit<V>& hit, const Ray<V>& ray) {
+  const Vec<V> outward = hit.point - Vec<V>(sphere.center);
+  return Scalar<V>(-2) * dot(outward, ray.direction) / dot(ray.direction, ray.direction);
 }
 
-/// The first object found strictly between a hit and a lamp, not always the nearest: an index into
-/// Scene::objects, -1 if there is none. The surface hit is left out where it is flat; where it is a
-/// sphere or a box, only its far side can be in the way.
-template <Real R>
-int first_blocker(const Plan<R>& plan, const Hit<R>& hit, const Incident<R>& light) {
-  Ray<R> ray = shadow_ray(hit, light);
-  const auto blocks = [&](R t) { return t > 0 && t < ray.limit; };
-  const auto chord_blocks = [&](const Chord<R>& chord) {
-    return chord.enter <= chord.leave && (blocks(chord.enter) || blocks(chord.leave));
+/// The same for a box; -1 if it leaves at once.
+template <Value V>
+V own_exit(const BoxSurface<Scalar<V>>& box, const Hit<V>& hit, const Ray<V>& ray) {
+  using R = Scalar<V>;
+  V outward = R(0);
+  for (int axis = 0; axis < 3; ++axis) {
+    const V& along = ray.direction[axis];
+    outward = select(hit.face == Index<V>(2 * axis), V(-along), outward);
+    outward = select(hit.face == Index<V>(2 * axis + 1), along, outward);
+  }
+  return select(outward >= R(0), V(R(-1)), intersect(box, ray).leave);
+}
+
+/// Calls visit(object, mask of the lanes that it blocks) -> bool for the spheres, boxes and planes
+/// along a shadow ray until that returns true, and returns whether it did. The surface hit is left
+/// out where it is flat; where it is a sphere or a box, only its far side can be in the way.
+template <Real R, Value V, class Visit>
+bool visit_blockers(const Plan<R>& plan, const Hit<V>& hit, const Ray<V>& ray, Visit visit) {
+  const auto blocks = [&](const V& t) -> Mask<V> { return (t > R(0)) & (t < ray.limit); };
+  const auto solid_blocks = [&](Kind kind, int index, const auto& shape) -> Mask<V> {
+    const Chord<V> chord = intersect(shape, ray);
+    const Mask<V> met = (chord.enter <= chord.leave) & (blocks(chord.enter) | blocks(chord.leave));
+    const Mask<V> own = on_surface(hit, kind, index);
+    return none_of(own) ? met : (own & blocks(own_exit(shape, hit, ray))) | (!own & met);
   };
-  const auto own = [&](Kind kind, int index) { return hit.kind == kind && hit.index == index; };
   for (int i = 0; const auto& part : plan.spheres) {
-    if (own(Kind::Sphere, i) ? blocks(own_exit(plan, hit, ray))
-                             : chord_blocks(intersect(part.shape, ray))) {
-      return part.object;
-    }
-    ++i;
+    if (visit(part.object, solid_blocks(Kind::Sphere, i++, part.shape))) return true;
   }
   for (int i = 0; const auto& part : plan.boxes) {
-    if (own(Kind::Box, i) ? blocks(own_exit(plan, hit, ray))
-                          : chord_blocks(intersect(part.shape, ray))) {
-      return part.object;
-    }
-    ++i;
+    if (visit(part.object, solid_blocks(Kind::Box, i++, part.shape))) return true;
   }
   for (int i = 0; const auto& part : plan.planes) {
-    if (!own(Kind::Plane, i) && blocks(intersect(part.shape, ray))) return part.object;
-    ++i;
+    const Mask<V> own = on_surface(hit, Kind::Plane, i++);
+    if (all_of(own)) continue;
+    if (visit(part.object, !own & blocks(intersect(part.shape, ray)))) return true;
   }
-  int blocker = -1;
+  return false;
+}
+
+/// The object of a triangle that a shadow ray meets, not always the nearest, -1 if there is none.
+/// `own` is the triangle that it leaves, or -1.
+template <Real R>
+int blocking_triangle(const Plan<R>& plan, Ray<R> ray, int own) {
+  if (plan.triangles.empty()) return -1;
   const ShearedRay<R> sheared(ray.direction);
-  traverse(plan.bvh, ray, [&](std::uint32_t i) {
-    if (own(Kind::Triangle, int(i)) || !blocks(intersect(plan.triangles[i], ray, sheared).t)) {
-      return false;
-    }
-    blocker = plan.triangle_info[i].object;
+  int blocker = -1;
+  traverse(plan.bvh, ray, [&](std::uint32_t number) {
+    if (int(number) == own) return false;
+    const R t = intersect(plan.triangles[number], ray, sheared).t;
+    if (!(t > 0 && t < ray.limit)) return false;
+    blocker = plan.triangle_info[number].object;
     return true;
   });
   return blocker;
 }
 
-/// Whether anything lies strictly between a hit and a lamp.
+/// The triangle that lane i of a hit is on, or -1.
+template <Value V>
+int own_triangle(const Hit<V>& hit, int i) {
+  return kind_at(hit, i) == Kind::Triangle ? int(lane(hit.index, i)) : -1;
+}
+
+/// The first object found strictly between a hit and a lamp, not always the nearest: an index into
+/// Scene::objects, -1 if there is none.
 template <Real R>
-bool occluded(const Plan<R>& plan, const Hit<R>& hit, const Incident<R>& light) {
-  return first_blocker(plan, hit, light) >= 0;
+int first_blocker(const Plan<R>& plan, const Hit<R>& hit, const Incident<R>& light) {
+  const Ray<R> ray = shadow_ray(hit, light);
+  int blocker = -1;
+  const bool found = visit_blockers(plan, hit, ray, [&](int object, bool blocked) {
+    blocker = object;
+    return blocked;
+  });
+  return found ? blocker : blocking_triangle(plan, ray, own_triangle(hit, 0));
+}
+
+/// Whether anything lies strictly between a hit and a lamp, for the lanes that are asked for.
+template <Real R, Value V>
+Mask<V> occluded(const Plan<R>& plan, const Hit<V>& hit, const Incident<V>& light,
+                 const Mask<V>& asked = true) {
+  const Ray<V> ray = shadow_ray(hit, light);
+  Mask<V> blocked = !asked;
+  const bool all_blocked = visit_blockers(plan, hit, ray, [&](int, const Mask<V>& by_one) {
+    blocked = blocked | by_one;
+    return all_of(blocked);
+  });
+  for (int i = 0; i < kLanes<V> && !all_blocked && !plan.triangles.empty(); ++i) {
+    if (lane(blocked, i)) continue;
+    set_lane(blocked, i, blocking_triangle(plan, lane(ray, i), own_triangle(hit, i)) >= 0);
+  }
+  return blocked & asked;
 }
 
 }  // namespace litmus
