@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 
+#include "tracer/area_sampling.h"
 #include "tracer/pixels.h"
 
 namespace litmus {
@@ -50,6 +51,8 @@ std::string_view precision_name(Precision precision) {
 }
 
 Rendering render(const Scene& scene, const RenderOptions& options) {
+  if (options.sampler != Sampler::Scene || options.area_samples > 0)
+    return render_with_sampler(scene, options);
   switch (options.precision) {
     case Precision::Float:
       return render_in<float>(scene, options);

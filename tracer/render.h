@@ -15,10 +15,18 @@ enum class Precision { Float, Double, LongDouble, Quad };
 /// "float", "double", "long-double", "quad".
 std::string_view precision_name(Precision precision);
 
+/// Where the samples of area lights lie (area_sampling.h). Scene: as its author wrote them. Centres
+/// and Corners: the model's two grids. Gauss (-Legendre), Jittered, R2: other points. Certified: no
+/// points, but pieces that provably see or do not see the surface (certified.h), with a bound on the
+/// error for each pixel.
+enum class Sampler { Scene, Centres, Corners, Gauss, Jittered, R2, Certified };
+
 struct RenderOptions {
   Precision precision = Precision::Double;
   int threads = 0;                  ///< 0: all; the picture does not depend on it
   double shift_x = 0, shift_y = 0;  ///< moves every sample point by this many pixels (right, down)
+  Sampler sampler = Sampler::Scene;
+  int area_samples = 0;  ///< along each side of every area light; 0: the scene's own
 };
 
 struct Rendering {
@@ -28,10 +36,16 @@ struct Rendering {
   /// Per layer and pixel what its light does there: kLit and so on (scene/picture.h); 0 for
   /// ambient.
   std::vector<std::vector<std::uint8_t>> flags;
+  /// Sampler::Certified: how far each pixel of `whole` can be off the light of the whole rectangles.
+  /// Empty for the other samplers.
+  Picture bound;
+  /// Samplers off the grid: rays towards area lights, and evaluations of slide 5 for them.
+  std::uint64_t area_rays = 0, area_evaluations = 0;
   double seconds = 0;  ///< wall clock of the pixels alone, without lowering the scene
 };
 
-/// Renders the scene. Identical for any number of threads, bit by bit.
+/// Renders the scene. Identical for any number of threads, bit by bit. Throws Refusal for samplers
+/// that cannot render it (area_sampling.h).
 Rendering render(const Scene& scene, const RenderOptions& options = {});
 
 /// What each layer shows in a pixel whose centre is at (x, y), in double: x to the right, y down,

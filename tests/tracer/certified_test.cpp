@@ -1,0 +1,161 @@
+// certified_test.cpp: the certified sampler against closed forms and fine grids, each pixel within
+// its bound.
+#include "tracer/certified.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "scene/load.h"
+#include "tests/tracer/scenes.h"
+#include "tracer/area_sampling.h"
+
+namespace litmus {
+namespace {
+
+constexpr double kHeight = 3, kSide = 1;
+
+Scene under_a_ceiling_panel(int size) {
+  Scene scene = floor_from_above(size);
+  AreaLight area;
+  area.point.origin = {0, 0, kHeight};
+  area.normal = Vector(0, 0, -1);
+  area.width = area.height = kSide;
+  scene.lights = {make_light(area, "panel")};
+  return scene;
+}
+
+RenderOptions certified(int n) { return {.sampler = Sampler::Certified, .area_samples = n}; }
+
+/// Integral of h / sqrt(x^2 + y^2 + h^2) over 0..x, 0..y.
+double cosine_integral(double x, double y, double h) {
+  return h * (x * std::asinh(y / std::hypot(x, h)) + y * std::asinh(x / std::hypot(y, h)) -
+              h * std::atan(x * y / (h * std::sqrt(x * x + y * y + h * h))));
+}
+
+/// Mean of l.n at a floor point over the panel's part x > from (scene units).
+double lit_by_panel(const Point& p, double from) {
+  const double x0 = std::clamp(from, -kSide / 2, kSide / 2) - p.x, x1 = kSide / 2 - p.x;
+  const double y0 = -kSide / 2 - p.y, y1 = kSide / 2 - p.y;
+  return (cosine_integral(x1, y1, kHeight) - cosine_integral(x0, y1, kHeight) -
+          cosine_integral(x1, y0, kHeight) + cosine_integral(x0, y0, kHeight)) /
+         (kSide * kSide);
+}
+
+struct Errors {
+  double largest = 0, largest_bound = 0;
+  int beyond = 0;  ///< pixels further off than their bound and `slack`
+};
+
+Errors compared(const Rendering& ours, const auto& truth, double slack) {
+  Errors errors;
+  for (int y = 0; y < ours.whole.height; ++y) {
+    for (int x = 0; x < ours.whole.width; ++x) {
+      const double error = std::fabs(ours.whole.at(x, y).x - truth(x, y));
+      errors.largest = std::max(errors.largest, error);
+      errors.largest_bound = std::max(errors.largest_bound, ours.bound.at(x, y).x);
+      errors.beyond += error > ours.bound.at(x, y).x + slack;
+    }
+  }
+  return errors;
+}
+
+TEST(Certified, IsTheClosedFormWhereNothingIsInTheWay) {
+  const Scene scene = under_a_ceiling_panel(24);
+  const auto truth = [&](int x, int y) { return 0.8 * lit_by_panel(floor_point(scene, x, y), -9); };
+  const Errors coarse = compared(render(scene, certified(4)), truth, 1e-14);
+  const Errors fine = compared(render(scene, certified(256)), truth, 1e-14);
+  EXPECT_EQ(coarse.beyond + fine.beyond, 0);
+  EXPECT_LT(fine.largest, 1e-7);
+  EXPECT_LT(fine.largest_bound, 1e-4) << "the bound says nearly as much";
+}
+
+TEST(Certified, IsTheClosedFormInThePenumbraOfAStraightEdge) {
+  Scene scene = under_a_ceiling_panel(48);
+  const Box shelf{{-50, -50, 1}, {0.1, 50, 1.3}};
+  scene.objects.push_back({"shelf", shelf, 0, false});
+  const auto truth = [&](int x, int y) {
+    const Point p = floor_point(scene, x, y);
+    double from = -9;
+    for (const double z : {shelf.min.z, shelf.max.z})
+      from = std::max(from, p.x + (shelf.max.x - p.x) * kHeight / z);
+    return 0.8 * lit_by_panel(p, from);
+  };
+  double last = 1;
+  for (const int n : {2, 8, 32}) {
+    const Errors errors = compared(render(scene, certified(n)), truth, 1e-13);
+    EXPECT_EQ(errors.beyond, 0) << n;
+    EXPECT_LT(errors.largest, last / 8) << n << ": four times as fine, 16 times as exact";
+    last = errors.largest;
+  }
+  const auto wrong = [&](int x, int y) { return truth(x, y) * 1.1; };
+  EXPECT_GT(compared(render(scene, certified(32)), wrong, 1e-13).beyond, 100) << "the control";
+}
+
+/// A sphere of radius 0.05 that no corner sample of 16 a side sees from the middle of the floor.
+Scene with_tiny_occluder() {
+  Scene scene = under_a_ceiling_panel(9);
+  scene.camera.height = 0.2;
+  std::get<AreaLight>(scene.lights[0].shape).width = 4;
+  std::get<AreaLight>(scene.lights[0].shape).height = 4;
+  // Between the samples at x, y = -+2/15.
+  scene.objects.push_back({"mote", Sphere{{0, 0, 2}, 0.05}, 0, false});
+  return scene;
+}
+
+TEST(Certified, FindsAnOccluderThatHidesBetweenCornerSamplesAtEveryN) {
+  const Scene scene = with_tiny_occluder();
+  const Picture truth = render(scene, {.sampler = Sampler::Centres, .area_samples = 200}).whole;
+  const auto exact = [&](int x, int y) { return truth.at(x, y).x; };
+  Scene empty = scene;
+  empty.objects.pop_back();
+  const auto missed = [&](const RenderOptions& options) {
+    return std::fabs(render(scene, options).whole.at(4, 4).x -
+                     render(empty, options).whole.at(4, 4).x);
+  };
+  EXPECT_EQ(missed({.sampler = Sampler::Corners, .area_samples = 16}), 0) << "it hides well";
+  for (int n = 1; n <= 64; n *= 2) {
+    EXPECT_GT(missed(certified(n)), 4e-4) << n;
+    const Errors errors = compared(render(scene, certified(n)), exact, 1e-5);
+    EXPECT_EQ(errors.beyond, 0) << n;
+    if (n >= 8) {
+      EXPECT_LT(errors.largest, 1e-4) << n;
+    }
+  }
+}
+
+/// Spheres, a box and a smooth mesh, glossy and attenuated; small, for time.
+Scene stage() {
+  Scene scene = load_scene(find_scene("x4-area"));
+  scene.width = 48, scene.height = 36;
+  return scene;
+}
+
+TEST(Certified, KeepsItsBoundOnAWholeSceneAndConverges) {
+  const Scene scene = stage();
+  const Picture truth = render(scene, {.sampler = Sampler::Centres, .area_samples = 64}).whole;
+  const double own_error = 4e-4;  // of that grid, from n = 32 and 64
+  double last = 1;
+  for (const int n : {2, 8, 32}) {
+    const Rendering ours = render(scene, certified(n));
+    const Errors errors = compared(
+        ours, [&](int x, int y) { return truth.at(x, y).x; }, own_error);
+    EXPECT_EQ(errors.beyond, 0) << n;
+    EXPECT_LT(errors.largest, last / 3) << n;
+    last = errors.largest;
+  }
+}
+
+TEST(Certified, TracesRaysThatGrowSlowerThanN) {
+  Scene scene = stage();
+  scene.width = 24, scene.height = 18;
+  const auto rays = [&](int n) {
+    const Rendering one = render(scene, certified(n));
+    return double(one.area_rays + one.area_evaluations);
+  };
+  EXPECT_LT(rays(64) / rays(16), 4) << "n grew by 4, the grid's rays by 16";
+}
+
+}  // namespace
+}  // namespace litmus

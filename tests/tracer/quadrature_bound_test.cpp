@@ -1,0 +1,97 @@
+// quadrature_bound_test.cpp: no quadrature is further off than the bound says.
+#include "tracer/quadrature_bound.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "tracer/area_sampling.h"
+
+namespace litmus {
+namespace {
+
+using V3 = Vec<double>;
+
+struct Piece {
+  LightPatch patch;
+  V3 across, up;
+};
+
+Piece random_piece(std::mt19937_64& engine) {
+  std::uniform_real_distribution<double> random(0, 1);
+  const V3 center{2 * random(engine) - 1, 2 * random(engine) - 1, 1 + 2 * random(engine)};
+  const double size = 0.4 * random(engine) * random(engine);
+  Piece piece{{}, {size, 0, 0.2 * size}, {0, 0.7 * size, 0}};
+  LightPatch& patch = piece.patch;
+  patch.lamp.origin = center;
+  patch.lamp.attenuated = random(engine) < 0.5;
+  patch.lamp.range = 2, patch.lamp.linear = 0.5, patch.lamp.quadratic = 1.5;
+  const Direction<double> to = direction_of(center);
+  patch.distance = to.length, patch.l = to.unit;
+  patch.across = direction_of(piece.across).length / to.length;
+  patch.up = direction_of(piece.up).length / to.length;
+  patch.n = {0, 0, 1};
+  // Half of the eyes look along the mirrored light: into the highlight.
+  const V3 mirrored{-to.unit.x, -to.unit.y, to.unit.z};
+  const V3 aside{0.6 * random(engine), 0.6 * random(engine), 0.1};
+  patch.e = normalize(random(engine) < 0.5 ? mirrored : mirrored + aside);
+  patch.shininess = std::pow(200, random(engine)), patch.shiny = true;
+  return piece;
+}
+
+Terms<double> quadrature(const Piece& piece, int points) {
+  const GaussRule rule = gauss_rule(points);
+  Terms<double> total;
+  for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
+    for (std::size_t j = 0; j < rule.nodes.size(); ++j) {
+      Lamp<double> lamp = piece.patch.lamp;
+      lamp.origin = lamp.origin + rule.nodes[i] * piece.across + rule.nodes[j] * piece.up;
+      const Incident<double> light = incident(lamp, V3{});
+      const Terms<double> terms = equation_terms(light.direction, piece.patch.e, piece.patch.n,
+                                                 piece.patch.shininess, light.intensity, true);
+      total.diffuse += rule.weights[i] * rule.weights[j] * terms.diffuse;
+      total.specular += rule.weights[i] * rule.weights[j] * terms.specular;
+    }
+  }
+  return total;
+}
+
+TEST(QuadratureBound, IsNotExceededByOneTwoOrThreePoints) {
+  std::mt19937_64 engine(5);
+  int useful = 0, pieces = 600;
+  for (int i = 0; i < pieces; ++i) {
+    const Piece piece = random_piece(engine);
+    const Terms<double> exact = quadrature(piece, 24);
+    for (int points = 1; points <= 3; ++points) {
+      const Terms<double> got = quadrature(piece, points);
+      const Terms<double> bound = quadrature_bound(piece.patch, points);
+      EXPECT_LE(std::fabs(got.diffuse - exact.diffuse), bound.diffuse + 1e-14);
+      EXPECT_LE(std::fabs(got.specular - exact.specular), bound.specular + 1e-14);
+      useful += points == 3 && bound.diffuse < 1e-3 && bound.specular < 1e-2;
+    }
+  }
+  EXPECT_GT(useful, pieces / 4) << "a bound of infinity would hold too";
+}
+
+TEST(LargestTerms, AreNotExceededOnThePiece) {
+  std::mt19937_64 engine(6);
+  for (int i = 0; i < 600; ++i) {
+    const Piece piece = random_piece(engine);
+    const Terms<double> most = largest_terms(piece.patch);
+    for (double u = -1; u <= 1; u += 0.25) {
+      for (double v = -1; v <= 1; v += 0.25) {
+        Lamp<double> lamp = piece.patch.lamp;
+        lamp.origin = lamp.origin + u * piece.across + v * piece.up;
+        const Incident<double> light = incident(lamp, V3{});
+        const Terms<double> terms = equation_terms(light.direction, piece.patch.e, piece.patch.n,
+                                                   piece.patch.shininess, light.intensity, true);
+        EXPECT_LE(terms.diffuse, most.diffuse + 1e-14);
+        EXPECT_LE(terms.specular, most.specular + 1e-14);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace litmus
