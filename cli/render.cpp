@@ -6,6 +6,7 @@
 #include "compare/whole_file.h"
 #include "scene/load.h"
 #include "scene/refusal.h"
+#include "tracer/area_sampling.h"
 #include "tracer/explain.h"
 #include "tracer/render.h"
 
@@ -14,9 +15,9 @@ namespace {
 
 struct Options {
   std::string scene, light;
-  std::filesystem::path output;
-  std::string precision = "double";
-  int threads = 0, width = 0, height = 0;
+  std::filesystem::path output, bound;
+  std::string precision = "double", sampler = "scene";
+  int threads = 0, width = 0, height = 0, area_samples = 0;
   bool terms = false;
 };
 
@@ -33,6 +34,18 @@ Precision precision_of(const std::string& name) {
   for (const Precision precision : kPrecisions)
     if (precision_name(precision) == name) return precision;
   return Precision::Double;
+}
+
+std::vector<std::string> sampler_names() {
+  std::vector<std::string> names;
+  for (const Sampler sampler : kSamplers) names.emplace_back(sampler_name(sampler));
+  return names;
+}
+
+Sampler sampler_of(const std::string& name) {
+  for (const Sampler sampler : kSamplers)
+    if (sampler_name(sampler) == name) return sampler;
+  return Sampler::Scene;
 }
 
 Picture chosen(const Rendering& rendering, const std::string& light, const Scene& scene) {
@@ -121,7 +134,14 @@ int run(const Options& options) {
   if (options.width > 0) scene.width = options.width;
   if (options.height > 0) scene.height = options.height;
   if (options.terms) return run_terms(options, scene);
-  const Rendering rendering = render(scene, {precision_of(options.precision), options.threads});
+  const RenderOptions settings{.precision = precision_of(options.precision),
+                               .threads = options.threads,
+                               .sampler = sampler_of(options.sampler),
+                               .area_samples = options.area_samples};
+  if (!options.bound.empty() && settings.sampler != Sampler::Certified)
+    throw Refusal("--bound: only --sampler certified knows a bound");
+  const Rendering rendering = render(scene, settings);
+  if (!options.bound.empty()) write_any(options.bound, rendering.bound);
   if (options.light == "each") {
     write_layers(options.output, rendering.layers);
   } else {
@@ -147,6 +167,20 @@ void add_render(Program& program) {
   command.option("--light", options->light,
                  "One light's part by its name, \"ambient\", \"all\" (default), or \"each\": "
                  "one EXR part a light");
+  command
+      .option("--sampler", options->sampler,
+              "Area lights: scene (as it says), centres or corners (the model's grids), "
+              "gauss-legendre, jittered, r2, or certified (splits the rectangle until nothing is "
+              "left to chance)")
+      .one_of(sampler_names())
+      .with_default();
+  command
+      .option("--area-samples", options->area_samples,
+              "N along each side of an area light (certified: pieces down to 1/N); 0: as the scene "
+              "says")
+      .between(0, 64);
+  command.option("--bound", options->bound,
+                 "With --sampler certified: also write how far each pixel can be off, as .exr");
   command.option("--threads", options->threads, "0: all; the picture does not depend on it")
       .between(0, 1024);
   command.option("--width", options->width, "Pixels, instead of the scene's").between(1, 16384);

@@ -102,6 +102,26 @@ TEST_F(Program, RendersInEveryPrecision) {
   }
 }
 
+TEST_F(Program, RendersAreaLightsByEverySamplerAndBoundsTheError) {
+  ASSERT_EQ(litmus("render r2 -o plain.exr").code, 0);
+  ASSERT_EQ(
+      litmus("render r2 -o sure.exr --sampler certified --area-samples 4 --bound bound.exr").code,
+      0);
+  ASSERT_EQ(litmus("render r2 -o two.exr --sampler gauss-legendre --area-samples 2").code, 0);
+  const Picture plain = read_picture(folder / "plain.exr"),
+                sure = read_picture(folder / "sure.exr");
+  const Picture bound = read_picture(folder / "bound.exr");
+  EXPECT_NE(plain.pixels, sure.pixels);
+  int unsure = 0;
+  for (const auto& pixel : bound.pixels) unsure += pixel.x > 0.01;
+  EXPECT_GT(unsure, 0);
+  EXPECT_LT(unsure, int(bound.pixels.size())) << "lit and dark pixels are certain";
+  EXPECT_EQ(litmus("render r2 -o x.exr --bound bound.exr").code, 2) << "the grid has no bound";
+  EXPECT_EQ(litmus("render r2 -o x.exr --sampler certified --precision quad").code, 2);
+  EXPECT_EQ(litmus("render r2 -o x.exr --sampler dice").code, 2);
+  EXPECT_FALSE(fs::exists(folder / "x.exr"));
+}
+
 TEST_F(Program, RefusesAnOutputItCannotWriteAndLeavesNothing) {
   EXPECT_EQ(litmus("render d1 -o picture.gif").code, 2);
   EXPECT_EQ(litmus("render d1 -o picture.exr --light no-such-light").code, 2);
