@@ -141,7 +141,7 @@ void look(const Setup& setup, double x, double y, std::uint64_t number, double w
     const SampledSource& one = setup.sources[i];
     Answer answer;
     if (!one.panel) {
-      answer.terms = light_terms(plan, *one.source, hit, eye);
+      answer.terms = light_terms(plan, *one.source, hit, finish, eye);
     } else if (setup.options.sampler == Sampler::Certified) {
       answer = by_proof(setup, one, hit, eye);
       add(light_color(plan, *one.source, finish, answer.bound), result.bound);
@@ -163,8 +163,8 @@ void render_row(const Setup& setup, int y, Rendering& result, Totals& totals) {
     const std::size_t pixel = std::size_t(y) * std::size_t(view.width) + std::size_t(x);
     for (int j = y * n; j < (y + 1) * n; ++j) {
       for (int i = x * n; i < (x + 1) * n; ++i) {
-        look(setup, screen(i, across, 2 * setup.options.shift_x * n),
-             -screen(j, down, 2 * setup.options.shift_y * n),
+        look(setup, screen(double(i), across, 2 * setup.options.shift_x * n),
+             -screen(double(j), down, 2 * setup.options.shift_y * n),
              std::uint64_t(j) * std::uint64_t(across) + std::uint64_t(i), 1.0 / (n * n), pixel,
              result, totals);
       }
