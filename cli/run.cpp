@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <ctime>
 #include <iterator>
@@ -13,6 +14,8 @@
 #include "reference/stored_images.h"
 #include "reports/candidates.h"
 #include "reports/controls.h"
+#include "reports/plain_text.h"
+#include "reports/read_results.h"
 #include "reports/study.h"
 #include "reports/write_html.h"
 #include "reports/write_json.h"
@@ -28,7 +31,7 @@ namespace fs = std::filesystem;
 
 struct Options {
   std::vector<std::string> scenes, with, require;
-  std::string sources = "auto", control, command, candidates;
+  std::string sources = "auto", control, command, candidates, baseline;
   fs::path out = "litmus-report", store = default_store_directory();
   int threads = 0, time_limit = 300;
   bool fresh = false, refresh = false, quiet = false, native = false;
@@ -147,11 +150,36 @@ void print_summary(const Study& study, const fs::path& out) {
   fmt::print("report: {}\n", (fs::absolute(out) / "report.html").lexically_normal().string());
 }
 
+void print_baseline(const BaselineReport& report) {
+  fmt::print("against the baseline {}: {}\n", report.file, baseline_headline(report));
+  for (const BaselineChange& change : report.changes)
+    fmt::print("  {}: {}\n", change.kind, sentence_of(change));
+  for (const SpeedChange& change : report.slower) fmt::print("  slower: {}\n", sentence_of(change));
+  for (const VersionChange& change : report.versions) fmt::print("  {}\n", sentence_of(change));
+}
+
+/// Against a baseline, what failed there too does not fail the run again.
 int exit_code_of(const Study& study) {
   const std::string verdict = overall_verdict(study);
   if (verdict == "broken") return kRendererFailed;
-  if (verdict == "fail") return kOutOfTolerance;
-  return verdict == "incomplete" ? kIncomplete : kPass;
+  if (study.baseline ? is_regression(*study.baseline) : verdict == "fail") return kOutOfTolerance;
+  const bool skipped = std::any_of(study.comparisons.begin(), study.comparisons.end(),
+                                   [](const auto& row) { return row.verdict == "skipped"; });
+  return skipped || study.comparisons.empty() ? kIncomplete : kPass;
+}
+
+/// The results to compare with, read before anything is rendered. Throws Refusal if they are no
+/// results, or if the report would replace them.
+std::optional<Study> read_baseline(const Options& options) {
+  if (options.baseline.empty()) return std::nullopt;
+  Study baseline = read_results(options.baseline);
+  std::error_code missing;
+  if (fs::equivalent(options.baseline, options.out / "results.json", missing))
+    throw Refusal(
+        fmt::format("--baseline: {} is what this run's report would replace: copy it, or "
+                    "give the report another folder with --out",
+                    options.baseline));
+  return baseline;
 }
 
 std::string utc_now() {
@@ -164,6 +192,7 @@ std::string utc_now() {
 int run(const Options& options) {
   const auto start = std::chrono::steady_clock::now();
   const std::string started = utc_now();
+  const std::optional<Study> baseline = read_baseline(options);
   const std::vector<Scene> scenes = load_all(options.scenes);
   const Store store = open_store(
       options.store, [](const std::string& line) { fmt::print(stderr, "warning: {}\n", line); });
@@ -174,12 +203,14 @@ int run(const Options& options) {
   study.provenance.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (options.refresh) keep_as_stored(scenes, study);
+  if (baseline) study.baseline = against_baseline(study, *baseline, nearby(options.baseline));
 
   fs::create_directories(options.out);
   write_json(study, options.out / "results.json");
   write_markdown(study, options.out / "summary.md");
   write_junit(study, options.out / "junit.xml");
   write_html(study, options.out / "report.html");
+  if (study.baseline) print_baseline(*study.baseline);
   print_summary(study, options.out);
   for (const std::string& warning : study.warnings) fmt::print(stderr, "warning: {}\n", warning);
   for (const Case& entry : study.cases) {
@@ -232,6 +263,9 @@ void add_run(Program& program) {
   command.flag("--native", options->native,
                "Measure the renderers' own lights, too; for information, never judged");
   command.option("--control", options->control, control_help());
+  command.option("--baseline", options->baseline,
+                 "An earlier results.json, which stays as it is: say what is new, worse, fixed or "
+                 "slower, and exit 1 on a new failure or on a row that is worse, only");
   command.option("--store", options->store, "Folder that keeps rendered references between runs")
       .with_default();
   command.option("--threads", options->threads, "0: all").between(0, 1024);

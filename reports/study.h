@@ -12,6 +12,7 @@
 #include "reference/candidate.h"
 #include "compare/registration.h"
 #include "compare/triage.h"
+#include "reports/baseline.h"
 #include "reference/obtain.h"
 #include "scene/picture.h"
 #include "scene/scene.h"
@@ -106,6 +107,7 @@ struct Study {
   /// says what it would be.
   std::vector<Comparison> informative;
   std::vector<CandidateNote> candidates;
+  std::optional<BaselineReport> baseline;  ///< of a run that was given one
 };
 
 /// What a study compares, and where it takes the other side from.

@@ -11,6 +11,7 @@
 #include "compare/verdict.h"
 #include "compare/whole_file.h"
 #include "reports/gallery.h"
+#include "reports/html_baseline.h"
 #include "reports/html_case.h"
 #include "reports/html_overview.h"
 #include "reports/overview.h"
@@ -140,6 +141,8 @@ data page_data(const Study& study, const std::vector<PageLink>& beside) {
   const data failures = failures_data(study);
   page.set("has_failures", flag(failures.get("rows")->is_non_empty_list()));
   page.set("failures", failures);
+  page.set("baseline", baseline_data(study));
+  set_list(page, "slower", slower_data(study));
   set_list(page, "broken", broken_data(study));
   set_list(page, "skipped_reasons", skipped_data(study));
   data warnings{data::type::list};

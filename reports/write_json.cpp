@@ -32,22 +32,34 @@ ordered_json rendering_json(const Study& study) {
   return rendering;
 }
 
+ordered_json slower_json(const BaselineReport& report) {
+  ordered_json slower = ordered_json::array();
+  for (const SpeedChange& change : report.slower)
+    slower.push_back({{"scene", change.scene},
+                      {"reference", change.reference},
+                      {"was", finite(change.was, "slower.was")},
+                      {"now", finite(change.now, "slower.now")}});
+  return slower;
+}
+
 ordered_json provenance_object(const Study& study) {
   const Provenance& p = study.provenance;
   ordered_json versions = ordered_json::object();
   for (const auto& [name, version] : p.versions) versions[name] = version;
-  return {{"litmus_version", p.litmus_version},
-          {"commit", p.commit},
-          {"compiler", p.compiler},
-          {"flags", p.flags},
-          {"cpu", p.cpu},
-          {"system", p.system},
-          {"command", p.command},
-          {"started", p.started},
-          {"threads", p.threads},
-          {"seconds", finite(p.seconds, "provenance.seconds")},
-          {"versions", versions},
-          {"rendering", rendering_json(study)}};
+  ordered_json json{{"litmus_version", p.litmus_version},
+                    {"commit", p.commit},
+                    {"compiler", p.compiler},
+                    {"flags", p.flags},
+                    {"cpu", p.cpu},
+                    {"system", p.system},
+                    {"command", p.command},
+                    {"started", p.started},
+                    {"threads", p.threads},
+                    {"seconds", finite(p.seconds, "provenance.seconds")},
+                    {"versions", versions},
+                    {"rendering", rendering_json(study)}};
+  if (study.baseline) json["slower"] = slower_json(*study.baseline);
+  return json;
 }
 
 ordered_json registration_json(const Registration& r, const std::string& where) {
@@ -98,6 +110,28 @@ ordered_json comparison_json(const Comparison& row) {
   return json;
 }
 
+ordered_json baseline_json(const BaselineReport& report) {
+  ordered_json changes = ordered_json::array(), versions = ordered_json::array();
+  for (const BaselineChange& change : report.changes)
+    changes.push_back({{"kind", change.kind},
+                       {"scene", change.scene},
+                       {"reference", change.reference},
+                       {"light", change.light},
+                       {"light_type", change.light_type},
+                       {"region", change.region},
+                       {"figure", change.figure},
+                       {"was", finite(change.was, change.scene + ".was")},
+                       {"now", finite(change.now, change.scene + ".now")},
+                       {"limit", finite(change.limit, change.scene + ".limit")},
+                       {"why", change.why}});
+  for (const VersionChange& change : report.versions)
+    versions.push_back({{"reference", change.reference}, {"was", change.was}, {"now", change.now}});
+  return {{"file", report.file},         {"regression", is_regression(report)},
+          {"compared", report.compared}, {"still_failing", report.still_failing},
+          {"added", report.added},       {"changes", changes},
+          {"versions", versions}};
+}
+
 // A byte that is not UTF-8 becomes U+FFFD.
 std::string text_of(const ordered_json& json, int indent) {
   return json.dump(indent, ' ', false, ordered_json::error_handler_t::replace);
@@ -119,6 +153,7 @@ ordered_json results_object(const Study& study, ordered_json provenance) {
                                   {"encoding", one.encoding},
                                   {"exposure", one.exposure},
                                   {"note", one.note}});
+  if (study.baseline) json["baseline"] = baseline_json(*study.baseline);
   return json;
 }
 

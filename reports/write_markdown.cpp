@@ -57,6 +57,22 @@ std::string failures_text(const Study& study) {
   return text + "\n";
 }
 
+// What changed since the baseline; times, which vary, are left to the provenance.
+std::string baseline_text(const Study& study) {
+  if (!study.baseline) return "";
+  std::string text =
+      fmt::format("## Against the baseline\n\n{}: {}\n\n", cell(study.baseline->file),
+                  cell(baseline_headline(*study.baseline)));
+  std::size_t listed = 0;
+  for (const BaselineChange& change : study.baseline->changes)
+    if (++listed <= kListed)
+      text += fmt::format("- {}: {}\n", change.kind, cell(sentence_of(change), 2 * kCell));
+  if (listed > kListed) text += fmt::format("- and {} more in results.json\n", listed - kListed);
+  for (const VersionChange& change : study.baseline->versions)
+    text += fmt::format("- {}\n", cell(sentence_of(change)));
+  return text + "\n";
+}
+
 std::string broken_text(const Study& study) {
   std::string text;
   std::size_t count = 0;
@@ -100,7 +116,8 @@ std::string informative_text(const Study& study) {
         "## For information, not judged\n\nThe largest interior difference to each.\n\n"
         "| | light type | litmus | POV-Ray | Blender |\n|---|---|--:|--:|--:|\n";
   for (const InformativeLine& line : lines) {
-    text += fmt::format("| {} | {} |", cell(reference_title(line.reference)), cell(line.light_type));
+    text +=
+        fmt::format("| {} | {} |", cell(reference_title(line.reference)), cell(line.light_type));
     for (const std::optional<double>& largest : line.largest)
       text += fmt::format(" {} |", largest ? short_number(*largest) : "");
     text += "\n";
@@ -148,6 +165,9 @@ std::string provenance_text(const Study& study) {
   line("compiler", p.compiler + (p.flags.empty() ? "" : " " + p.flags));
   for (std::size_t i = 0; i < std::min(p.versions.size(), kListed); ++i)
     line(p.versions[i][0], p.versions[i][1]);
+  if (study.baseline)
+    for (std::size_t i = 0; i < std::min(study.baseline->slower.size(), kListed); ++i)
+      line("slower", sentence_of(study.baseline->slower[i]));
   return text;
 }
 
@@ -161,9 +181,8 @@ std::string markdown(const Study& study) {
       overall_verdict(study), headline(study), counted(all.rows, "comparison", "comparisons"),
       counted((long long)(study.cases.size()), "scene", "scenes"), all.passed, all.failed,
       all.skipped, sources);
-  text += failures_text(study) + broken_text(study) + types_text(study) + informative_text(study) +
-          skipped_text(study) +
-          provenance_text(study);
+  text += baseline_text(study) + failures_text(study) + broken_text(study) + types_text(study) +
+          informative_text(study) + skipped_text(study) + provenance_text(study);
   if (text.size() <= kMarkdownLimit) return text;
   constexpr std::string_view kCut = "\n\nThe rest is in results.json.\n";
   text.resize(text.rfind('\n', kMarkdownLimit - kCut.size()));

@@ -154,5 +154,32 @@ TEST(Page, StaysSmall) {
   EXPECT_LT(html(study).size(), 8 * 150'000u) << "33 scenes take less than 5 MB";
 }
 
+TEST(Page, TellsChangesSinceTheBaselineNearTheTop) {
+  Study study = mixed_study();
+  EXPECT_THAT(html(study), Not(HasSubstr("id=\"baseline\"")));
+  study.baseline = against_baseline(study, passing_study(), kHostile);
+  const std::string page = html(study);
+  const std::string section =
+      between(page, "<section class=\"alert\" aria-label=\"Against", "</section>");
+  EXPECT_THAT(section, HasSubstr("<h3>New failures</h3>"));
+  EXPECT_THAT(section, Not(HasSubstr("<img")));
+  EXPECT_LT(page.find("id=\"baseline\""), page.find("aria-label=\"What disagrees\""));
+}
+
+TEST(Page, OfARunNoWorseThanItsBaselineSaysSoCalmly) {
+  Study study = passing_study();
+  study.baseline = against_baseline(study, study, "old.json");
+  EXPECT_THAT(html(study),
+              HasSubstr("<section class=\"calm\" aria-label=\"Against the baseline\""));
+}
+
+TEST(Page, KeepsWhatIsSlowerInTheProvenance) {
+  Study study = passing_study();
+  study.baseline = against_baseline(study, study, "old.json");
+  study.baseline->slower.push_back({"all", "povray", 0.1, 0.5});
+  EXPECT_THAT(between(html(study), "aria-label=\"Provenance\"", "</section>"),
+              HasSubstr("5 times as much"));
+}
+
 }  // namespace
 }  // namespace litmus

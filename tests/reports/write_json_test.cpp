@@ -88,5 +88,17 @@ TEST(ResultsJson, SurvivesTextThatIsNotUtf8) {
   EXPECT_EQ(json::parse(results_json(study))["cases"][0]["about"], "\xEF\xBF\xBD<");
 }
 
+TEST(ResultsJson, OfARunWithABaselineMatchesItsSchema) {
+  Study study = mixed_study();
+  EXPECT_FALSE(json::parse(results_json(study)).contains("baseline"));
+  study.baseline = against_baseline(study, passing_study(), "old.json");
+  study.baseline->slower.push_back({"all", "povray", 0.1, 0.5});
+  study.baseline->versions.push_back({"povray", "3.7", "3.8"});
+  const json results = json::parse(results_json(study));
+  EXPECT_THAT(schema_errors(results), IsEmpty());
+  EXPECT_EQ(results["baseline"]["changes"][0]["kind"], "new failure");
+  EXPECT_EQ(results["provenance"]["slower"][0]["now"], 0.5);
+}
+
 }  // namespace
 }  // namespace litmus

@@ -31,8 +31,9 @@ TEST(Markdown, NamesFailuresBeforeTheTableOfLights) {
 }
 
 TEST(Markdown, GivesTheWorstOfEachLightTypeAndReferenceWithItsSource) {
-  EXPECT_THAT(markdown(passing_study()),
-              HasSubstr("| spot | Blender Cycles | stored | 6e-7 | 3.8e-7 | 4e-6 |  | 3 | 0 | 0 |"));
+  EXPECT_THAT(
+      markdown(passing_study()),
+      HasSubstr("| spot | Blender Cycles | stored | 6e-7 | 3.8e-7 | 4e-6 |  | 3 | 0 | 0 |"));
 }
 
 TEST(Markdown, CountsSkippedRowsByReason) {
@@ -69,6 +70,22 @@ TEST(Markdown, StaysBelowTheLimitWhateverTheStudy) {
   EXPECT_LE(text.size(), kMarkdownLimit);
   EXPECT_GT(text.size(), kMarkdownLimit / 4) << "the study is large enough to matter";
   EXPECT_THAT(text, HasSubstr("more in results.json"));
+}
+
+TEST(Markdown, OfABigStudyAgainstABaselineStaysBelowTheLimit) {
+  Study study = passing_study();
+  Comparison row = study.comparisons[0];
+  row.verdict = "fail", row.reason = std::string(400, '|');
+  for (int i = 0; i < 20'000; ++i) {
+    row.light = "light " + std::to_string(i);
+    study.comparisons.push_back(row);
+  }
+  study.baseline = against_baseline(study, passing_study(), std::string(2000, '`'));
+  const std::string text = markdown(study);
+  EXPECT_LE(text.size(), kMarkdownLimit);
+  EXPECT_THAT(text, HasSubstr("## Against the baseline"));
+  EXPECT_THAT(text, HasSubstr("20,000 new failures"));
+  EXPECT_THAT(text, Not(HasSubstr("](")));
 }
 
 }  // namespace
