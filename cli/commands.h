@@ -22,6 +22,7 @@ void add_explain(Program& program);
 void add_export(Program& program);
 void add_reference(Program& program);
 void add_compare(Program& program);
+void add_approve(Program& program);
 void add_list(Program& program);
 void add_doctor(Program& program);
 

@@ -1,6 +1,7 @@
-// html_baseline.cpp: the section of report.html on the baseline, as data for the page's template.
+// html_baseline.cpp: what report.html says to who decides: the baseline, and what can be approved.
 #include "reports/html_baseline.h"
 
+#include "reports/approval.h"
 #include "reports/baseline.h"
 #include "reports/html_case.h"
 #include "reports/plain_text.h"
@@ -61,6 +62,20 @@ data baseline_data(const Study& study) {
   result.set("groups", groups);
   set_list(result, "versions", versions);
   return result;
+}
+
+data approvals_data(const Study& study, const Case& one) {
+  data list{data::type::list};
+  for (const CaseReference& reference : one.references) {
+    if (failing_rows(study, one.scene, reference.reference).empty()) continue;
+    const std::string refusal = approval_refusal(study, one.scene, reference.reference);
+    data item;
+    item.set("command", refusal.empty() ? text_data(approve_command(one, reference.reference))
+                                        : flag(false));
+    item.set("refusal", refusal.empty() ? flag(false) : text_data(refusal));
+    list.push_back(item);
+  }
+  return list;
 }
 
 data slower_data(const Study& study) {

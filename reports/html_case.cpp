@@ -7,6 +7,7 @@
 
 #include "compare/difference.h"
 #include "compare/verdict.h"
+#include "reports/html_baseline.h"
 #include "reports/page_data.h"
 #include "reports/plain_text.h"
 
@@ -273,6 +274,7 @@ data case_data(const Study& study, const Case& one, bool open) {
   result.set("layers", layers);
   result.set("warnings", warnings);
   result.set("renderers", renderers_data(one));
+  set_list(result, "approvals", approvals_data(study, one));
   return result;
 }
 

@@ -185,10 +185,8 @@ Picture packed_difference(const Picture& ours, const Picture& theirs) {
   return result;
 }
 
-std::string scene_word(const Case& one) {
-  const std::filesystem::path file(one.file);
-  const bool canonical = file.parent_path().filename() == "canonical" && file.stem() == one.scene;
-  const std::string word = clean_text(canonical || one.file.empty() ? one.scene : one.file);
+std::string shell_word(const std::string& text) {
+  const std::string word = clean_text(text);
   const bool plain = !word.empty() && std::all_of(word.begin(), word.end(), [](char c) {
     return std::isalnum(static_cast<unsigned char>(c)) ||
            std::string_view("/._-").find(c) != std::string_view::npos;
@@ -197,6 +195,12 @@ std::string scene_word(const Case& one) {
   std::string quoted = "'";
   for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
   return quoted + "'";
+}
+
+std::string scene_word(const Case& one) {
+  const std::filesystem::path file(one.file);
+  const bool canonical = file.parent_path().filename() == "canonical" && file.stem() == one.scene;
+  return shell_word(canonical || one.file.empty() ? one.scene : one.file);
 }
 
 std::string pictures_json(const Study& study, const Case& one) {

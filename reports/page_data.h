@@ -37,6 +37,9 @@ PackedPicture packed(const Picture& picture, double step = 0);
 /// pictures have one size.
 Picture packed_difference(const Picture& ours, const Picture& theirs);
 
+/// The text as one word for the shell, quoted where it has to be.
+std::string shell_word(const std::string& text);
+
 /// The shorter of a scene's name and its file as a word for the shell, quoted where it has to be.
 std::string scene_word(const Case& one);
 

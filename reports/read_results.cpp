@@ -79,7 +79,7 @@ struct Place {
 Comparison read_row(const Place& place) {
   Comparison row;
   row.scene = place["scene"].text(), row.reference = place["reference"].text();
-  row.source = place["source"].word({"live", "stored", ""});
+  row.source = place["source"].word({"live", "stored", "computed", ""});
   row.light = place["light"].text(), row.light_type = place["light_type"].text();
   row.region = place["region"].text();
   row.pixels = place["pixels"].count(), row.nonfinite = place["nonfinite"].count();
@@ -98,7 +98,7 @@ Comparison read_row(const Place& place) {
 CaseReference read_reference(const Place& place) {
   CaseReference reference;
   reference.reference = place["reference"].text();
-  reference.source = place["source"].word({"live", "stored", ""});
+  reference.source = place["source"].word({"live", "stored", "computed", ""});
   reference.version = place["version"].text(), reference.command = place["command"].text();
   reference.failure = place["failure"].text();
   const Place registration = place["registration"];
@@ -172,6 +172,8 @@ Study read_results(const fs::path& file) {
   study.provenance.cpu = provenance["cpu"].text();
   for (const Place& one : root["cases"].items()) study.cases.push_back(read_case(one));
   read_seconds(provenance["rendering"], study.cases);
+  for (const Place& one : root["candidates"].items())
+    study.candidates.push_back({one["name"].text(), one["encoding"].text(), 1, ""});
   std::set<std::array<std::string, 4>> known;
   for (const Place& place : root["comparisons"].items()) {
     Comparison row = read_row(place);

@@ -49,6 +49,23 @@ const row_count = document.querySelectorAll(".matrix tbody tr").length;
 for (const select of filters) select.addEventListener("change", filter);
 filter();
 
+// The command that approves a failure, for the results beside this page.
+document.addEventListener("click", async (event) => {
+  const button = event.target.closest("[data-copy]");
+  if (!button) return;
+  let command = button.previousElementSibling.textContent;
+  if (location.protocol === "file:") {
+    const results = decodeURIComponent(location.pathname).replace(/[^/]*$/, "results.json");
+    command += ` --results '${results.replaceAll("'", "'\\''")}'`;
+  }
+  try {
+    await navigator.clipboard.writeText(command);
+    button.textContent = "copied";
+  } catch {
+    button.textContent = "select it by hand";
+  }
+});
+
 $("save").addEventListener("click", async () => {
   const link = document.createElement("a");
   const results = JSON.parse(new TextDecoder().decode(await inflated($("results").textContent)));

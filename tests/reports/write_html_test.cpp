@@ -181,5 +181,13 @@ TEST(Page, KeepsWhatIsSlowerInTheProvenance) {
               HasSubstr("5 times as much"));
 }
 
+TEST(Page, OffersToApproveWhatMayBeApprovedAndSaysWhyTheRestMayNot) {
+  const std::string page = html(mixed_study());
+  EXPECT_THAT(page,
+              HasSubstr("<code>litmus approve r1-failing/povray --reason &apos;...&apos;</code>"));
+  EXPECT_THAT(page, HasSubstr("Cannot be approved: r2-nan/povray"));
+  EXPECT_THAT(html(passing_study()), Not(HasSubstr("litmus approve")));
+}
+
 }  // namespace
 }  // namespace litmus
