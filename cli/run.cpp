@@ -14,6 +14,8 @@
 #include "reference/stored_images.h"
 #include "reports/candidates.h"
 #include "reports/controls.h"
+#include "reports/github.h"
+#include "reports/migration.h"
 #include "reports/plain_text.h"
 #include "reports/read_results.h"
 #include "reports/study.h"
@@ -31,7 +33,7 @@ namespace fs = std::filesystem;
 
 struct Options {
   std::vector<std::string> scenes, with, require;
-  std::string sources = "auto", control, command, candidates, baseline;
+  std::string sources = "auto", control, command, candidates, baseline, annotations = "auto";
   fs::path out = "litmus-report", store = default_store_directory();
   int threads = 0, time_limit = 300;
   bool fresh = false, refresh = false, quiet = false, native = false;
@@ -168,6 +170,12 @@ int exit_code_of(const Study& study) {
   return skipped || study.comparisons.empty() ? kIncomplete : kPass;
 }
 
+bool annotates(const Options& options) {
+  const char* inside = std::getenv("GITHUB_ACTIONS");
+  return options.annotations == "github" ||
+         (options.annotations == "auto" && inside && std::string_view(inside) == "true");
+}
+
 /// The results to compare with, read before anything is rendered. Throws Refusal if they are no
 /// results, or if the report would replace them.
 std::optional<Study> read_baseline(const Options& options) {
@@ -202,6 +210,8 @@ int run(const Options& options) {
   study.provenance.started = started;
   study.provenance.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const std::vector<Migration> migrated =
+      migrations(study, scenes, baseline ? &*baseline : nullptr, stored_images_directory());
   if (options.refresh) keep_as_stored(scenes, study);
   if (baseline) study.baseline = against_baseline(study, *baseline, nearby(options.baseline));
 
@@ -209,9 +219,11 @@ int run(const Options& options) {
   write_json(study, options.out / "results.json");
   write_markdown(study, options.out / "summary.md");
   write_junit(study, options.out / "junit.xml");
+  write_migration(migrated, options.out);
   write_html(study, options.out / "report.html");
   if (study.baseline) print_baseline(*study.baseline);
   print_summary(study, options.out);
+  if (annotates(options)) fmt::print("{}", github_annotations(study));
   for (const std::string& warning : study.warnings) fmt::print(stderr, "warning: {}\n", warning);
   for (const Case& entry : study.cases) {
     for (const CaseReference& reference : entry.references) {
@@ -263,6 +275,12 @@ void add_run(Program& program) {
   command.flag("--native", options->native,
                "Measure the renderers' own lights, too; for information, never judged");
   command.option("--control", options->control, control_help());
+  command
+      .option("--annotations", options->annotations,
+              "github: failures as lines that GitHub shows beside the scene's file; auto: inside of "
+              "GitHub; none")
+      .one_of({"auto", "github", "none"})
+      .with_default();
   command.option("--baseline", options->baseline,
                  "An earlier results.json, which stays as it is: say what is new, worse, fixed or "
                  "slower, and exit 1 on a new failure or on a row that is worse, only");

@@ -67,6 +67,14 @@ StoredLookup load_stored(const Scene& scene, std::string_view renderer, const fs
   }
 }
 
+std::string stored_version(const Scene& scene, std::string_view renderer, const fs::path& folder) {
+  std::ifstream text(file_of(scene, renderer, folder, ".json"));
+  const auto meta = Json::parse(text, nullptr, false);
+  if (!meta.is_object() || !meta.contains("renderer_version")) return "";
+  const auto& version = meta["renderer_version"];
+  return version.is_string() ? version.get<std::string>() : "";
+}
+
 void save_stored(const Scene& scene, std::string_view renderer, const StoredReference& images,
                  const fs::path& folder) {
   if (const auto wrong = misfit(scene, images.layers); !wrong.empty())

@@ -33,6 +33,10 @@ std::filesystem::path stored_images_directory();
 StoredLookup load_stored(const Scene& scene, std::string_view renderer,
                          const std::filesystem::path& folder = stored_images_directory());
 
+/// The version of the renderer that made them, without reading the images; empty if there are none.
+std::string stored_version(const Scene& scene, std::string_view renderer,
+                           const std::filesystem::path& folder = stored_images_directory());
+
 /// Writes or replaces them. A process killed in between leaves images that load_stored refuses.
 /// Throws Refusal if they cannot be written, or if the layers are not the scene's.
 void save_stored(const Scene& scene, std::string_view renderer, const StoredReference& images,

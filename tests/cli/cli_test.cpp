@@ -202,5 +202,18 @@ TEST_F(Program, SaysWhatIsMissing) {
   EXPECT_NE(ended.text.find("apt-get install blender"), std::string::npos) << ended.text;
 }
 
+TEST_F(Program, AnnotatesFailuresInsideOfGitHubOnly) {
+  const std::string failing = "run s1 --references stored --control cutoff -q";
+  EXPECT_EQ(litmus(failing).text.find("::error"), std::string::npos);
+  for (const Ended& ended :
+       {litmus(failing, "GITHUB_ACTIONS=true"), litmus(failing + " --annotations github")}) {
+    EXPECT_EQ(ended.code, 1);
+    EXPECT_NE(ended.text.find("::error file="), std::string::npos) << ended.text;
+    EXPECT_NE(ended.text.find("s1-spot-linear.toml,line="), std::string::npos) << ended.text;
+  }
+  EXPECT_EQ(litmus(failing + " --annotations none", "GITHUB_ACTIONS=true").text.find("::error"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace litmus
