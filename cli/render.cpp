@@ -1,6 +1,9 @@
 // render.cpp: litmus render, our own picture of a scene.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <sstream>
+
 #include "cli/commands.h"
 #include "compare/image_io.h"
 #include "compare/whole_file.h"
@@ -8,6 +11,7 @@
 #include "scene/refusal.h"
 #include "tracer/area_sampling.h"
 #include "tracer/explain.h"
+#include "tracer/kernel.h"
 #include "tracer/render.h"
 
 namespace litmus {
@@ -16,9 +20,9 @@ namespace {
 struct Options {
   std::string scene, light;
   std::filesystem::path output, bound;
-  std::string precision = "double", sampler = "scene";
+  std::string precision = "double", sampler = "scene", kernel = "auto", effects = "needed";
   int threads = 0, width = 0, height = 0, area_samples = 0;
-  bool terms = false;
+  bool terms = false, stats = false;
 };
 
 constexpr Precision kPrecisions[] = {Precision::Float, Precision::Double, Precision::LongDouble,
@@ -46,6 +50,60 @@ Sampler sampler_of(const std::string& name) {
   for (const Sampler sampler : kSamplers)
     if (sampler_name(sampler) == name) return sampler;
   return Sampler::Scene;
+}
+
+// ---- Kernel and effects ----------------------------------------------------------------------
+
+/// "auto", "scalar", "packet", and the kinds of processors that this one is.
+std::vector<std::string> kernel_names() {
+  std::vector<std::string> names{"auto", "scalar", "packet"};
+  for (const PacketKernel& kernel : packet_kernels()) names.emplace_back(kernel.target);
+  return names;
+}
+
+void set_kernel(const std::string& name, RenderOptions& options) {
+  if (name == "auto") return;
+  options.kernel = name == "scalar" ? Kernel::Scalar : Kernel::Packet;
+  if (name != "scalar" && name != "packet") options.target = name;
+  const bool has_packets =
+      options.precision == Precision::Float || options.precision == Precision::Double;
+  if (options.kernel == Kernel::Packet && (!has_packets || packet_kernels().empty()))
+    throw Refusal(
+        fmt::format("--kernel: {} has no packets; they are of float and double, on "
+                    "processors with AVX2: leave out --kernel",
+                    precision_name(options.precision)));
+}
+
+Effects effects_named(const std::string& list, const Scene& scene) {
+  if (list == "needed") return effects_of(scene);
+  if (list == "all") return all_effects();
+  Effects effects;
+  std::string names = "all, needed";
+  for (const EffectName& effect : effect_names()) names += fmt::format(", {}", effect.name);
+  std::istringstream words(list);
+  for (std::string word; std::getline(words, word, ',');) {
+    const auto found = std::ranges::find(effect_names(), word, &EffectName::name);
+    if (found == effect_names().end())
+      throw Refusal(fmt::format("--effects: no effect \"{}\"; there are {}", word, names));
+    effects.*found->member = true;
+  }
+  return effects;
+}
+
+/// What was evaluated, and how often: one line each, name and number.
+void print_stats(const Scene& scene, const Effects& effects, const Rendering& rendering) {
+  const Effects needed = effects_of(scene);
+  for (const EffectName& effect : effect_names()) {
+    const bool on = effects.*effect.member, called_for = needed.*effect.member;
+    fmt::print("{:<14} {:<10} {}\n", effect.name, on ? "evaluated" : "left out",
+               on == called_for ? ""
+               : called_for     ? "(the scene calls for it)"
+                                : "(not called for)");
+  }
+  for (const CountName& count : count_names())
+    fmt::print("{:<14} {}\n", count.name, rendering.counts.*count.member);
+  fmt::print("{:<14} {}\n{:<14} {:.6f}\n", "kernel", rendering.target, "seconds",
+             rendering.seconds);
 }
 
 Picture chosen(const Rendering& rendering, const std::string& light, const Scene& scene) {
@@ -134,10 +192,15 @@ int run(const Options& options) {
   if (options.width > 0) scene.width = options.width;
   if (options.height > 0) scene.height = options.height;
   if (options.terms) return run_terms(options, scene);
-  const RenderOptions settings{.precision = precision_of(options.precision),
-                               .threads = options.threads,
-                               .sampler = sampler_of(options.sampler),
-                               .area_samples = options.area_samples};
+  RenderOptions settings{.precision = precision_of(options.precision),
+                         .threads = options.threads,
+                         .sampler = sampler_of(options.sampler),
+                         .area_samples = options.area_samples};
+  set_kernel(options.kernel, settings);
+  settings.effects = effects_named(options.effects, scene);
+  settings.layers = !options.light.empty() && options.light != "all";
+  settings.edges = false;
+  settings.counts = options.stats;
   if (!options.bound.empty() && settings.sampler != Sampler::Certified)
     throw Refusal("--bound: only --sampler certified knows a bound");
   const Rendering rendering = render(scene, settings);
@@ -147,6 +210,7 @@ int run(const Options& options) {
   } else {
     write_any(options.output, chosen(rendering, options.light, scene));
   }
+  if (options.stats) print_stats(scene, *settings.effects, rendering);
   fmt::print(stderr, "{}: {} x {}, {}, {:.3f} s\n", options.output.string(), scene.width,
              scene.height, options.precision, rendering.seconds);
   return kPass;
@@ -183,6 +247,19 @@ void add_render(Program& program) {
                  "With --sampler certified: also write how far each pixel can be off, as .exr");
   command.option("--threads", options->threads, "0: all; the picture does not depend on it")
       .between(0, 1024);
+  command
+      .option("--kernel", options->kernel,
+              "packet (as wide as the processor's vectors) or scalar; the picture is the same")
+      .one_of(kernel_names())
+      .with_default();
+  command
+      .option(
+          "--effects", options->effects,
+          "needed (by the scene), all (everywhere, for comparison) or a list: ambient, diffuse, "
+          "specular, shadows, linear, quadratic, cone, area, smooth, supersampling")
+      .with_default();
+  command.flag("--stats", options->stats,
+               "Print the effects, the rays and the evaluations by kind, and the time");
   command.option("--width", options->width, "Pixels, instead of the scene's").between(1, 16384);
   command.option("--height", options->height, "Pixels, instead of the scene's").between(1, 16384);
   command.flag("--terms", options->terms,

@@ -31,7 +31,7 @@ Gate gate_of(const Plan<double>& plan, const LampTerms<double>& kernel) {
 LampExplanation explain_lamp(const Plan<double>& plan, const Lamp<double>& lamp,
                              const Hit<double>& hit, const Vec3& eye) {
   const LampTerms<double> kernel = lamp_terms(plan, lamp, hit, eye);
-  const Incident<double>& light = kernel.light;
+  const Incident<double> light = incident(lamp, hit.point);  // the kernel leaves out what is dark
   const Finish<double>& finish = plan.finishes[std::size_t(hit.object)];
   LampExplanation result;
 

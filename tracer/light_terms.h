@@ -62,7 +62,9 @@ Finish<V> finish_of(const Plan<R>& plan, const Hit<V>& hit) {
       all = {select(on, Vec<V>(one.ambient), all.ambient),
              select(on, Vec<V>(one.diffuse), all.diffuse),
              select(on, Vec<V>(one.specular), all.specular),
-             select(on, V(one.shininess), all.shininess), (on & one.shiny) | (!on & all.shiny)};
+             select(on, V(one.shininess), all.shininess),
+             all.shiny | (on & one.shiny),
+             all.reflects | (on & one.reflects)};
       left = left & !on;
     }
     return all;
@@ -72,35 +74,77 @@ Finish<V> finish_of(const Plan<R>& plan, const Hit<V>& hit) {
 /// What one lamp does to a hit.
 template <Value V>
 struct LampTerms {
-  Incident<V> light;
+  Incident<V> light;                      ///< weakened where the lamp is on the right side
   Mask<V> faces = false, shades = false;  ///< the geometric, the shading normal is on its side
+  Mask<V> open = false;                   ///< and the surface reflects at all
   Mask<V> reached = false;                ///< and there is light, if nothing is in its way
   Mask<V> lit = false;                    ///< and nothing is
   Terms<V> terms;                         ///< not yet shared among the lamps; 0 where not lit
 };
 
+/// Weakens a lamp's light where `open` asks for it. A cosine settles most points outside of a cone.
+template <Real R, Value V>
+void weaken(const Lamp<R>& lamp, const Mask<V>& open, Incident<V>& light, Counts* counts) {
+  const bool cull = lamp.cone && !lamp.everything;
+  const Mask<V> asked = cull ? open & may_be_in_cone(lamp, light) : open;
+  if (cull && none_of(asked)) {
+    light.in_cone = false, light.intensity = R(0);
+    return;
+  }
+  if (lamp.attenuated) attenuate(lamp, light);
+  if (lamp.cone) narrow(lamp, light);
+  if (!counts) return;
+  const std::uint64_t points = std::uint64_t(count_of(asked));
+  if (lamp.linear != R(0) || lamp.everything) counts->linear += points;
+  if (lamp.quadratic != R(0) || lamp.everything) counts->quadratic += points;
+  if (lamp.cone) counts->cones += points;
+}
+
+/// Where nothing stands between a hit and a lamp that reaches it.
+template <Real R, Value V>
+Mask<V> unhidden(const Plan<R>& plan, const Hit<V>& hit, const LampTerms<V>& one, Counts* counts) {
+  if (!plan.shadows && !plan.idle_shadows) return one.reached;
+  const Mask<V> asked = plan.everything ? hit.object >= Index<V>(0) : one.reached;
+  if (none_of(asked)) return one.reached;
+  if (counts) counts->shadow_rays += std::uint64_t(count_of(asked));
+  const Mask<V> hidden = occluded(plan, hit, one.light, asked);
+  return plan.shadows ? one.reached & !hidden : one.reached;
+}
+
 /// D and S of one lamp at a hit seen from the direction `eye` (unit, towards the eye).
 template <Real R, Value V>
 LampTerms<V> lamp_terms(const Plan<R>& plan, const Lamp<R>& lamp, const Hit<V>& hit,
-                        const Finish<V>& finish, const Vec<V>& eye) {
+                        const Finish<V>& finish, const Vec<V>& eye, Counts* counts = nullptr) {
   const Mask<V> seen = hit.object >= Index<V>(0);
+  // Which side is it on? The sample code does not ask.
   LampTerms<V> result;
-  result.light = incident(lamp, hit.point);
-  const Incident<V>& light = result.light;
+  Incident<V>& light = result.light;
+  light = aim(lamp, hit.point);
   result.faces = dot(light.direction, hit.geometric) > R(0);
   result.shades = dot(light.direction, hit.normal) > R(0);
-  result.reached =
-      plan.sample_code ? seen : seen & result.faces & result.shades & (light.intensity > R(0));
-  result.lit = result.reached;
-  if (plan.shadows && any_of(result.reached)) {
-    result.lit = result.reached & !occluded(plan, hit, light, result.reached);
-  }
-  if (none_of(result.lit)) return result;
-  const auto answer = plan.sample_code ? sample_code_terms<V> : equation_terms<V>;
-  const Terms<V> terms = answer(light.direction, eye, hit.normal, finish.shininess, light.intensity,
-                                any_of(finish.shiny));
+  // A surface that reflects nothing has edges all the same.
+  const Mask<V> wanted = plan.edges ? seen : seen & finish.reflects;
+  if (counts) counts->lamps += std::uint64_t(count_of(seen));
+  result.open = plan.sample_code ? wanted : wanted & result.faces & result.shades;
+  if (none_of(result.open) && !plan.everything) return result;
+
+  // How much of it arrives?
+  weaken(lamp, result.open, light, counts);
+  result.reached = plan.sample_code ? result.open : result.open & (light.intensity > R(0));
+  result.lit = unhidden(plan, hit, result, counts);
+
+  // What does the surface answer?
+  const Mask<V> shiny = result.lit & finish.shiny;
+  const bool powers = any_of(shiny) || plan.everything;
+  if (none_of(result.lit) && !powers) return result;
+  if (counts && powers) counts->powers += std::uint64_t(count_of(plan.everything ? seen : shiny));
+  const Terms<V> terms = plan.sample_code
+                             ? sample_code_terms(light.direction, eye, hit.normal, finish.shininess,
+                                                 light.intensity, powers)
+                             : equation_terms(light.direction, eye, hit.normal, finish.shininess,
+                                              light.intensity, powers);
   result.terms = {select(result.lit, terms.diffuse, V(R(0))),
-                  select(result.lit & finish.shiny, terms.specular, V(R(0)))};
+                  select(shiny, terms.specular, V(R(0)))};
   return result;
 }
 
@@ -111,48 +155,59 @@ LampTerms<R> lamp_terms(const Plan<R>& plan, const Lamp<R>& lamp, const Hit<R>& 
   return lamp_terms(plan, lamp, hit, finish_of(plan, hit), eye);
 }
 
-/// What is discrete about a lamp's terms, mixed into a lane's signature.
+/// Collects what is discrete about the lamps of one light.
 template <Value V>
-std::uint64_t mix(std::uint64_t signature, const LampTerms<V>& one, int i) {
-  return mix(signature, std::uint64_t(lane(one.faces, i)) |
-                            std::uint64_t(lane(one.shades, i)) << 1 |
-                            std::uint64_t(lane(one.light.in_cone, i)) << 2 |
-                            std::uint64_t(lane(one.lit, i)) << 3);
-}
+struct Edges {
+  Mask<V> reached = false, lit = false, hidden = false, highlight = false;
+  PerLane<std::uint64_t, V> signature{};
+
+  explicit Edges(const Hit<V>& hit) {
+    // Near a silhouette an interpolated normal may be turned the other way than the geometric one.
+    const Mask<V> turned = dot(hit.normal, hit.geometric) < Scalar<V>(0);
+    for (int i = 0; i < kLanes<V>; ++i) at_lane(signature, i) = lane(turned, i);
+  }
+
+  void add(const LampTerms<V>& one) {
+    reached = reached | one.reached, lit = lit | one.lit;
+    hidden = hidden | (one.reached & !one.lit);
+    highlight = highlight | (one.terms.specular > one.light.intensity * Scalar<V>(0.5));
+    const Mask<V> inside = one.open & one.light.in_cone;
+    for (int i = 0; i < kLanes<V>; ++i) {
+      const std::uint64_t bits =
+          std::uint64_t(lane(one.faces, i)) | std::uint64_t(lane(one.shades, i)) << 1 |
+          std::uint64_t(lane(inside, i)) << 2 | std::uint64_t(lane(one.lit, i)) << 3;
+      at_lane(signature, i) = mix(at_lane(signature, i), bits);
+    }
+  }
+
+  /// kLit, kPenumbra or kUmbra, and kHighlight of a lane.
+  std::uint8_t flags(int i) const {
+    if (!lane(reached, i)) return 0;
+    const std::uint8_t shade = !lane(hidden, i) ? kLit : lane(lit, i) ? kPenumbra : kUmbra;
+    return lane(highlight, i) ? shade | kHighlight : shade;
+  }
+};
 
 /// D and S of one light at a hit seen from the direction `eye` (unit, towards the eye).
 template <Real R, Value V>
 LightTerms<V> light_terms(const Plan<R>& plan, const Source<R>& source, const Hit<V>& hit,
-                          const Finish<V>& finish, const Vec<V>& eye) {
-  constexpr int kCount = kLanes<V>;
+                          const Finish<V>& finish, const Vec<V>& eye, Counts* counts = nullptr) {
   LightTerms<V> total;
-  // Near a silhouette an interpolated normal may be turned the other way than the geometric one.
-  const Mask<V> turned = dot(hit.normal, hit.geometric) < R(0);
-  for (int i = 0; i < kCount; ++i) at_lane(total.signature, i) = lane(turned, i);
+  Edges<V> edges(hit);
   Total<V> diffuse, specular;
-  Mask<V> any_reached = false, any_lit = false, any_hidden = false, highlight = false;
   for (const Lamp<R>& lamp : source.lamps) {
-    const LampTerms<V> one = lamp_terms(plan, lamp, hit, finish, eye);
-    any_reached = any_reached | one.reached, any_lit = any_lit | one.lit;
-    any_hidden = any_hidden | (one.reached & !one.lit);
-    highlight = highlight | (one.terms.specular > one.light.intensity * R(0.5));
-    for (int i = 0; i < kCount; ++i) {
-      at_lane(total.signature, i) = mix(at_lane(total.signature, i), one, i);
-    }
+    const LampTerms<V> one = lamp_terms(plan, lamp, hit, finish, eye, counts);
     diffuse.add(one.terms.diffuse);
     specular.add(one.terms.specular);
     if (plan.sample_code) total.unoccluded += widen(select(one.lit, V(R(1)), V(R(0))));
-  }
-  for (int i = 0; i < kCount; ++i) {
-    if (!lane(any_reached, i)) continue;
-    const bool lit = lane(any_lit, i), hidden = lane(any_hidden, i);
-    at_lane(total.flags, i) = std::uint8_t((!hidden ? kLit
-                                            : lit   ? kPenumbra
-                                                    : kUmbra) |
-                                           (lane(highlight, i) ? kHighlight : 0));
+    if (plan.edges) edges.add(one);
   }
   total.diffuse = diffuse.value() * Sum<V>(source.weight);
   total.specular = specular.value() * Sum<V>(source.weight);
+  if (plan.edges) {
+    total.signature = edges.signature;
+    for (int i = 0; i < kLanes<V>; ++i) at_lane(total.flags, i) = edges.flags(i);
+  }
   return total;
 }
 

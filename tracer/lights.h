@@ -108,11 +108,13 @@ std::vector<Vec<R>> area_samples(const AreaLight& light) {
 template <Real R>
 struct Lamp {
   bool directional = false, attenuated = false, cone = false;
-  Vec<R> origin;  ///< scene units; unused by a directional lamp
-  Vec<R> toward;  ///< directional: unit vector towards the light
+  bool everything = false;  ///< evaluate both attenuations and the cone, whether or not they matter
+  Vec<R> origin;            ///< scene units; unused by a directional lamp
+  Vec<R> toward;            ///< directional: unit vector towards the light
   R range{1}, linear{}, quadratic{};
   Vec<R> axis;  ///< cone: the way the spot looks, unit
   R cutoff{}, exponent{};
+  R outside{-2};  ///< cone: surely_outside(cutoff)
 };
 
 /// Light that reaches a point, before anything stands in its way.
@@ -125,39 +127,58 @@ struct Incident {
   Mask<V> in_cone = true;
 };
 
-/// The cosine below which a point is outside of the cone whatever the rounding: a bound that is
-/// cheaper than the angle.
+/// The cosine of the angle off the axis below which a point is outside of the cone whatever the
+/// rounding: cheaper to ask for than the angle.
 template <Real R>
 R surely_outside(R cutoff) {
   using std::cos;
   return R(cos(cutoff)) - 32 * kUnit<R>;
 }
 
+/// Where the lamp is, seen from `point`; nothing weakens it yet.
+template <Value V>
+Incident<V> aim(const Lamp<Scalar<V>>& lamp, const Vec<V>& point) {
+  using R = Scalar<V>;
+  if (lamp.directional) {
+    return {Vec<V>(lamp.toward), V(std::numeric_limits<R>::infinity()), V(R(1)), true};
+  }
+  const Direction<V> to_lamp = direction_of(Vec<V>(lamp.origin) - point);
+  return {to_lamp.unit, to_lamp.length, V(R(1)), true};
+}
+
+/// Weakens the light with distance, as far as this lamp does.
+template <Value V>
+void attenuate(const Lamp<Scalar<V>>& lamp, Incident<V>& light) {
+  using R = Scalar<V>;
+  const V x = light.distance / lamp.range;
+  V linear = R(1), quadratic = R(1);
+  if (lamp.linear != R(0) || lamp.everything) linear = linear_attenuation(x, V(lamp.linear));
+  if (lamp.quadratic != R(0) || lamp.everything) {
+    quadratic = quadratic_attenuation(x, V(lamp.quadratic));
+  }
+  light.intensity = light.intensity * (linear * quadratic);
+}
+
+/// Narrows the light to the cone: nothing past the cutoff, a smooth edge before it.
+template <Value V>
+void narrow(const Lamp<Scalar<V>>& lamp, Incident<V>& light) {
+  const V alpha = angle_between(Vec<V>(lamp.axis), -light.direction);
+  light.in_cone = alpha <= lamp.cutoff;
+  light.intensity = light.intensity * spot_decay(alpha, V(lamp.cutoff), V(lamp.exponent));
+}
+
+/// Where the light may be inside of the cone.
+template <Value V>
+Mask<V> may_be_in_cone(const Lamp<Scalar<V>>& lamp, const Incident<V>& light) {
+  return !(dot(Vec<V>(lamp.axis), -light.direction) < lamp.outside);
+}
+
 /// Light that reaches `point` from `lamp`, as a fraction of its intensity.
 template <Value V>
 Incident<V> incident(const Lamp<Scalar<V>>& lamp, const Vec<V>& point) {
-  using R = Scalar<V>;
-  // Aim at the lamp; a directional one is the same everywhere.
-  const V one = R(1);
-  if (lamp.directional) {
-    return {Vec<V>(lamp.toward), V(std::numeric_limits<R>::infinity()), one, true};
-  }
-  const Direction<V> to_lamp = direction_of(Vec<V>(lamp.origin) - point);
-  Incident<V> light{to_lamp.unit, to_lamp.length, one, true};
-
-  // Weaken with distance, as far as this lamp does.
-  if (lamp.attenuated) {
-    const V x = light.distance / lamp.range;
-    light.intensity =
-        linear_attenuation(x, V(lamp.linear)) * quadratic_attenuation(x, V(lamp.quadratic));
-  }
-
-  // Narrow to the cone: nothing past the cutoff, a smooth edge before it.
-  if (lamp.cone) {
-    const V alpha = angle_between(Vec<V>(lamp.axis), -light.direction);
-    light.in_cone = alpha <= lamp.cutoff;
-    light.intensity = light.intensity * spot_decay(alpha, V(lamp.cutoff), V(lamp.exponent));
-  }
+  Incident<V> light = aim(lamp, point);
+  if (lamp.attenuated) attenuate(lamp, light);
+  if (lamp.cone) narrow(lamp, light);
   return light;
 }
 

@@ -15,12 +15,11 @@ Lamp<R> point_lamp(const PointLight& light, const Vec<R>& origin) {
   lamp.range = R(light.attenuation.range);
   lamp.linear = R(light.attenuation.linear);
   lamp.quadratic = R(light.attenuation.quadratic);
-  lamp.attenuated = lamp.linear != 0 || lamp.quadratic != 0;
   return lamp;
 }
 
 template <Real R>
-std::vector<Lamp<R>> lamps_of(const Light& light) {
+std::vector<Lamp<R>> lamps_of(const Light& light, const Effects& effects) {
   return std::visit(Overload{
                         [](const DirectionalLight& sun) {
                           Lamp<R> lamp;
@@ -36,9 +35,13 @@ std::vector<Lamp<R>> lamps_of(const Light& light) {
                           lamp.cone = true;
                           lamp.axis = normalize(Vec<R>(spot.direction));
                           lamp.cutoff = R(spot.cutoff), lamp.exponent = R(spot.exponent);
+                          lamp.outside = surely_outside(lamp.cutoff);
                           return std::vector{lamp};
                         },
-                        [](const AreaLight& area) {
+                        [&](const AreaLight& area) {
+                          if (!effects.area) {
+                            return std::vector{point_lamp(area.point, Vec<R>(area.point.origin))};
+                          }
                           std::vector<Lamp<R>> lamps;
                           for (const Vec<R>& origin : area_samples<R>(area)) {
                             lamps.push_back(point_lamp(area.point, origin));
@@ -47,6 +50,23 @@ std::vector<Lamp<R>> lamps_of(const Light& light) {
                         },
                     },
                     light.shape);
+}
+
+/// Leaves a lamp the effects that are asked for; everywhere means those it lacks, too, with values
+/// that change nothing.
+template <Real R>
+void set_effects(Lamp<R>& lamp, const Effects& effects) {
+  if (!effects.linear) lamp.linear = 0;
+  if (!effects.quadratic) lamp.quadratic = 0;
+  if (!effects.cone) lamp.cone = false;
+  lamp.attenuated = lamp.linear != 0 || lamp.quadratic != 0;
+  if (!effects.everywhere) return;
+  lamp.everything = lamp.attenuated = true;
+  if (lamp.cone) return;
+  lamp.cone = true;
+  lamp.axis = lamp.directional ? -lamp.toward : Vec<R>{R(0), R(0), R(-1)};
+  lamp.cutoff = 4;  // more than any angle
+  lamp.exponent = std::numeric_limits<R>::infinity();
 }
 
 template <Real R>
@@ -62,12 +82,12 @@ void add_triangle(Plan<R>& plan, int object, const std::array<Vec<R>, 3>& corner
 }
 
 template <Real R>
-void add_mesh(Plan<R>& plan, int object, const Mesh& mesh) {
+void add_mesh(Plan<R>& plan, int object, const Mesh& mesh, bool smooth) {
   for (const auto& [a, b, c] : mesh.triangles) {
     const std::array corners{Vec<R>(mesh.vertices[std::size_t(a)]),
                              Vec<R>(mesh.vertices[std::size_t(b)]),
                              Vec<R>(mesh.vertices[std::size_t(c)])};
-    if (mesh.normals.empty()) {
+    if (mesh.normals.empty() || !smooth) {
       add_triangle<R>(plan, object, corners, nullptr);
     } else {
       const std::array normals{normalize(Vec<R>(mesh.normals[std::size_t(a)])),
@@ -79,7 +99,7 @@ void add_mesh(Plan<R>& plan, int object, const Mesh& mesh) {
 }
 
 template <Real R>
-void add_object(Plan<R>& plan, int index, const Object& object) {
+void add_object(Plan<R>& plan, int index, const Object& object, bool smooth) {
   std::visit(Overload{
                  [&](const Sphere& s) {
                    plan.spheres.push_back({{Vec<R>(s.center), R(s.radius)}, index});
@@ -93,9 +113,19 @@ void add_object(Plan<R>& plan, int index, const Object& object) {
                  [&](const Triangle& t) {
                    add_triangle<R>(plan, index, {Vec<R>(t.a), Vec<R>(t.b), Vec<R>(t.c)}, nullptr);
                  },
-                 [&](const Mesh& m) { add_mesh(plan, index, m); },
+                 [&](const Mesh& m) { add_mesh(plan, index, m, smooth); },
              },
              object.shape);
+}
+
+template <Real R>
+Finish<R> finish_from(const Material& material, const Effects& effects, bool sample_code) {
+  Finish<R> finish{Vec<R>(material.ambient), {}, {}, R(material.shininess)};
+  if (effects.diffuse) finish.diffuse = Vec<R>(material.diffuse);
+  if (effects.specular) finish.specular = Vec<R>(material.specular);
+  finish.shiny = finish.specular != Vec<R>{};
+  finish.reflects = sample_code || finish.shiny || finish.diffuse != Vec<R>{};
+  return finish;
 }
 
 template <Real R>
@@ -123,37 +153,41 @@ View<R> view_of(const Scene& scene) {
 }  // namespace
 
 template <Real R>
-Plan<R> lower(const Scene& scene) {
+Plan<R> lower(const Scene& scene, const Effects& effects) {
   Plan<R> plan;
   plan.view = view_of<R>(scene);
-  plan.shadows = scene.shadows;
+  if (!effects.supersampling) plan.view.samples = 1;
+  plan.shadows = scene.shadows && effects.shadows;
+  plan.idle_shadows = effects.shadows && effects.everywhere && !plan.shadows;
+  plan.everything = effects.everywhere;
   plan.sample_code = scene.shading == Shading::SampleCode;
-  plan.ambient = Vec<R>(scene.ambient);
+  if (effects.ambient) plan.ambient = Vec<R>(scene.ambient);
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const Object& object = scene.objects[i];
-    const Material& material = scene.materials[std::size_t(object.material)];
-    add_object(plan, int(i), object);
+    add_object(plan, int(i), object, effects.smooth_normals);
     plan.camera_visible.push_back(object.camera_visible);
-    plan.finishes.push_back({Vec<R>(material.ambient), Vec<R>(material.diffuse),
-                             Vec<R>(material.specular), R(material.shininess),
-                             material.specular != Color(0)});
+    plan.finishes.push_back(
+        finish_from<R>(scene.materials[std::size_t(object.material)], effects, plan.sample_code));
   }
   plan.bvh = build_bvh(plan.triangles);
   for (const Light& light : scene.lights) {
     const R intensity(light.intensity);
     Source<R> source{
         {}, R(1), intensity * Vec<R>(light.diffuse), intensity * Vec<R>(light.specular)};
-    if (light.intensity != 0) source.lamps = lamps_of<R>(light);
+    if (light.intensity != 0) source.lamps = lamps_of<R>(light, effects);
+    for (Lamp<R>& lamp : source.lamps) set_effects(lamp, effects);
     if (source.lamps.size() > 1) source.weight = 1 / R(double(source.lamps.size()));
-    if (!plan.sample_code) plan.ambient = plan.ambient + intensity * Vec<R>(light.ambient);
+    if (!plan.sample_code && effects.ambient) {
+      plan.ambient = plan.ambient + intensity * Vec<R>(light.ambient);
+    }
     plan.sources.push_back(std::move(source));
   }
   return plan;
 }
 
-template Plan<float> lower(const Scene&);
-template Plan<double> lower(const Scene&);
-template Plan<long double> lower(const Scene&);
-template Plan<Quad> lower(const Scene&);
+template Plan<float> lower(const Scene&, const Effects&);
+template Plan<double> lower(const Scene&, const Effects&);
+template Plan<long double> lower(const Scene&, const Effects&);
+template Plan<Quad> lower(const Scene&, const Effects&);
 
 }  // namespace litmus

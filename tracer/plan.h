@@ -7,6 +7,7 @@
 
 #include "scene/scene.h"
 #include "tracer/bvh.h"
+#include "tracer/effects.h"
 #include "tracer/lights.h"
 
 namespace litmus {
@@ -32,7 +33,8 @@ template <Value V>
 struct Finish {
   Vec<V> ambient, diffuse, specular;
   V shininess{};
-  Mask<V> shiny = false;
+  Mask<V> shiny = false;     ///< ks is not 0
+  Mask<V> reflects = false;  ///< kd or ks is not 0 (in the sample code's reading, always)
 };
 
 /// The lamps of one light: one, or the samples of its area.
@@ -65,10 +67,20 @@ struct Plan {
   Vec<R> ambient;                    ///< Ia: the scene's and every light's, added once
   bool shadows = true;
   bool sample_code = false;
+  bool edges = true;          ///< signatures and flags are asked for
+  bool everything = false;    ///< cull nothing, evaluate every term
+  bool idle_shadows = false;  ///< trace shadow rays, although nothing is in shadow
 };
 
-/// Lowers a scene to the scalar R. Lights that cannot light anything have no lamps.
+/// Lowers a scene to the scalar R, with those effects and no others. Lights that cannot light
+/// anything have no lamps.
 template <Real R>
-Plan<R> lower(const Scene& scene);
+Plan<R> lower(const Scene& scene, const Effects& effects);
+
+/// Lowers a scene with all that it calls for.
+template <Real R>
+Plan<R> lower(const Scene& scene) {
+  return lower<R>(scene, effects_of(scene));
+}
 
 }  // namespace litmus

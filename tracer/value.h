@@ -69,6 +69,12 @@ requires(Real<T> || std::is_integral_v<T>) void set_lane(T& value, int, const T&
   value = scalar;
 }
 
+/// All lanes of a value, one after the other.
+template <Real R>
+void copy_lanes(const R& value, R* lanes) {
+  *lanes = value;
+}
+
 /// The value in the type that sums are made in.
 template <Real R>
 Sum<R> widen(const R& value) {

@@ -318,7 +318,8 @@ TEST(Flags, MarkAHighlightAboveHalfItsPeak) {
   }
   EXPECT_GT(marked, 10);
   scene.materials[0].specular = Color(0), scene.materials[0].diffuse = Color(1);
-  for (const std::uint8_t flags : render(scene).flags[1]) ASSERT_EQ(flags & kHighlight, 0);
+  const Rendering matte = render(scene);
+  for (const std::uint8_t flags : matte.flags[1]) ASSERT_EQ(flags & kHighlight, 0);
 }
 
 TEST(Probe, ShowsWhatThePixelShows) {

@@ -1,0 +1,148 @@
+// kernel_test.cpp: every way to render a canonical scene gives the same bits.
+#include "tracer/kernel.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "scene/load.h"
+#include "test_paths.h"
+#include "tests/tracer/scenes.h"
+
+namespace litmus {
+namespace {
+
+/// All canonical scenes, with pictures whose rows end in the middle of a packet.
+const std::vector<Scene>& canonical_scenes() {
+  static const std::vector<Scene> scenes = [] {
+    std::vector<Scene> all;
+    for (const auto& entry :
+         std::filesystem::directory_iterator(LITMUS_SOURCE "/scene/canonical")) {
+      if (entry.path().extension() != ".toml") continue;
+      Scene scene = load_scene(entry.path());
+      scene.width = 37, scene.height = 29;
+      all.push_back(std::move(scene));
+    }
+    return all;
+  }();
+  return scenes;
+}
+
+void expect_same(const Rendering& ours, const Rendering& theirs, const std::string& what) {
+  EXPECT_EQ(ours.whole.pixels, theirs.whole.pixels) << what;
+  ASSERT_EQ(ours.layers.size(), theirs.layers.size());
+  for (std::size_t i = 0; i < ours.layers.size(); ++i) {
+    EXPECT_EQ(ours.layers[i].picture.pixels, theirs.layers[i].picture.pixels) << what;
+    EXPECT_EQ(ours.signatures[i].values, theirs.signatures[i].values) << what;
+    EXPECT_EQ(ours.flags[i], theirs.flags[i]) << what;
+  }
+}
+
+RenderOptions scalar(Precision precision = Precision::Double) {
+  RenderOptions options{precision};
+  options.kernel = Kernel::Scalar;
+  return options;
+}
+
+TEST(Kernel, OfPacketsHasTheBitsOfTheScalarOne) {
+  if (packet_kernels().empty()) GTEST_SKIP() << "this processor has no AVX2";
+  for (const Scene& scene : canonical_scenes()) {
+    for (const Precision precision : {Precision::Float, Precision::Double}) {
+      const Rendering expected = render(scene, scalar(precision));
+      for (const PacketKernel& kernel : packet_kernels()) {
+        RenderOptions options{precision};
+        options.kernel = Kernel::Packet, options.target = kernel.target;
+        const Rendering packets = render(scene, options);
+        EXPECT_EQ(packets.target, kernel.target);
+        expect_same(packets, expected, scene.name + " " + std::string(kernel.target));
+      }
+    }
+  }
+}
+
+TEST(Kernel, GivesTheBitsOfEveryEffectWithThoseThatTheSceneNeeds) {
+  for (const Scene& scene : canonical_scenes()) {
+    RenderOptions all;
+    all.effects = all_effects();
+    expect_same(render(scene), render(scene, all), scene.name);
+  }
+}
+
+TEST(Kernel, GivesTheSameBitsWithoutLayersAndEdges) {
+  for (const Scene& scene : canonical_scenes()) {
+    RenderOptions bare;
+    bare.layers = bare.edges = false;
+    const Rendering picture = render(scene, bare);
+    EXPECT_EQ(picture.whole.pixels, render(scene).whole.pixels) << scene.name;
+    EXPECT_TRUE(picture.layers.empty() && picture.signatures.empty() && picture.flags.empty());
+  }
+}
+
+TEST(Kernel, GivesTheSameBitsOnOneThreadAndOnSeveral) {
+  for (const Scene& scene : canonical_scenes()) {
+    RenderOptions one, three;
+    one.threads = 1, three.threads = 3;
+    expect_same(render(scene, one), render(scene, three), scene.name);
+  }
+}
+
+bool differs_without(const Scene& scene, bool Effects::*effect) {
+  RenderOptions options;
+  options.effects = effects_of(scene);
+  (*options.effects).*effect = false;
+  return render(scene, options).whole.pixels != render(scene).whole.pixels;
+}
+
+TEST(Kernel, GivesOtherBitsWhereANeededEffectIsLeftOut) {  // the control
+  for (const EffectName& effect : effect_names()) {
+    EXPECT_TRUE(std::ranges::any_of(canonical_scenes(), [&](const Scene& scene) {
+      return effects_of(scene).*effect.member && differs_without(scene, effect.member);
+    })) << effect.name;
+  }
+}
+
+Rendering counted(const Scene& scene, RenderOptions options = {}) {
+  options.counts = true, options.edges = false;
+  return render(scene, options);
+}
+
+TEST(Counts, AreTheSameForPacketsAndScalars) {
+  for (const Scene& scene : canonical_scenes()) {
+    const Counts packets = counted(scene).counts, scalars = counted(scene, scalar()).counts;
+    for (const CountName& count : count_names()) {
+      EXPECT_EQ(packets.*count.member, scalars.*count.member) << scene.name << " " << count.name;
+    }
+    EXPECT_EQ(scalars.camera_rays, 37u * 29u * unsigned(scene.samples * scene.samples));
+  }
+}
+
+TEST(Counts, AreZeroForWhatTheSceneDoesNotCallFor) {
+  for (const Scene& scene : canonical_scenes()) {
+    const Counts counts = counted(scene).counts;
+    const Effects effects = effects_of(scene);
+    EXPECT_TRUE(effects.shadows || counts.shadow_rays == 0) << scene.name;
+    EXPECT_TRUE(effects.linear || counts.linear == 0) << scene.name;
+    EXPECT_TRUE(effects.quadratic || counts.quadratic == 0) << scene.name;
+    EXPECT_TRUE(effects.cone || counts.cones == 0) << scene.name;
+    EXPECT_TRUE(effects.specular || counts.powers == 0) << scene.name;
+  }
+}
+
+TEST(Counts, HaveOneShadowRayForEachPointThatFacesTheLamp) {
+  Scene scene = floor_from_above(40);
+  scene.objects.push_back({"lid", Sphere{{0, 0, 40}, 1}, 0, false});
+  scene.lights = {sun({0, 0, -1})};
+  EXPECT_EQ(counted(scene).counts.shadow_rays, 1600u);
+  scene.lights = {sun({0, 0, 1})};  // from below
+  EXPECT_EQ(counted(scene).counts.shadow_rays, 0u);
+}
+
+TEST(Counts, HaveOneConeForEachPointThatMayBeInIt) {
+  Scene scene = floor_from_above(40);
+  scene.lights = {make_light(SpotLight{{{0, 0, 2}, {}}, {0, 0, -1}, std::atan(0.5), 1}, "spot")};
+  const double inside = 3.14159265 * 1600 / 36;  // a circle of radius 1 on a square of side 6
+  EXPECT_NEAR(double(counted(scene).counts.cones), inside, 20);
+}
+
+}  // namespace
+}  // namespace litmus
