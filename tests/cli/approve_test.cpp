@@ -117,33 +117,6 @@ TEST_F(Approve, RefusesPicturesThatAreUnregistered) {
   EXPECT_THAT(ended.text, HasSubstr("unregistered: shifted by"));
 }
 
-TEST_F(Approve, RefusesARunWithAPlantedMistake) {
-  ASSERT_EQ(run("s5 --references stored --control cutoff").code, 1);
-  const Ended ended = approve("s5/blender");
-  EXPECT_EQ(ended.code, 2);
-  EXPECT_THAT(ended.text, HasSubstr("planted mistake"));
-}
-
-TEST_F(Approve, RefusesARendererThatFailed) {
-  const Ended ended = approve_changed([](nlohmann::json& json) {
-    for (auto& one : json["cases"]) one["references"][1]["failure"] = "blender exited with 11";
-  });
-  EXPECT_EQ(ended.code, 2);
-  EXPECT_THAT(ended.text, HasSubstr("blender exited with 11"));
-}
-
-TEST_F(Approve, RefusesWhatAClosedFormContradicts) {
-  const Ended ended = approve_changed([](nlohmann::json& json) {
-    nlohmann::json row = json["comparisons"][0];
-    row["reference"] = "closed-form", row["light"] = "imagined", row["verdict"] = "fail",
-    row["reason"] = "off by 1 %";
-    row["scene"] = "s5-spot-tilted";
-    json["comparisons"].push_back(row);
-  });
-  EXPECT_EQ(ended.code, 2);
-  EXPECT_THAT(ended.text, HasSubstr("so the mistake is litmus's"));
-}
-
 TEST_F(Approve, KeepsTheLivePictureOfAFailingCaseAndOfNoOther) {
   if (!find_driver("povray")->find())
     GTEST_SKIP() << "POV-Ray is not installed: apt-get install povray";
