@@ -94,8 +94,9 @@ std::string section(const Migration& one) {
       "class=\"numbers\"><thead>"
       "<tr><th scope=\"col\">light</th><th scope=\"col\">old, largest</th><th "
       "scope=\"col\">mean</th>"
-      "<th scope=\"col\">verdict</th><th scope=\"col\">new, largest</th><th scope=\"col\">mean</th>"
-      "<th scope=\"col\">verdict</th><th scope=\"col\">old to new, "
+      "<th scope=\"col\" class=\"word\">verdict</th><th scope=\"col\">new, largest</th><th "
+      "scope=\"col\">mean</th>"
+      "<th scope=\"col\" class=\"word\">verdict</th><th scope=\"col\">old to new, "
       "largest</th></tr></thead><tbody>{}"
       "</tbody></table></div>{}</section>",
       html_text(one.scene), html_text(reference_title(one.reference)), html_text(one.old_version),
