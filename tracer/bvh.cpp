@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <vector>
 
 namespace litmus {
 namespace {
@@ -102,6 +103,52 @@ struct Builder {
   }
 };
 
+template <Real R>
+R half_area(const BvhNode<R>& node) {
+  return Bounds<R>{node.min, node.max}.half_area();
+}
+
+/// The nodes below an inner node that stand side by side in a wide one: the largest are opened
+/// until there are eight.
+template <Real R>
+std::vector<std::uint32_t> opened(const Bvh<R>& bvh, std::uint32_t inner) {
+  std::vector<std::uint32_t> places{inner + 1, bvh.nodes[inner].first};
+  while (places.size() < std::size_t(WideNode<R>::kWidth)) {
+    auto largest = places.end();
+    for (auto place = places.begin(); place != places.end(); ++place) {
+      if (bvh.nodes[*place].count > 0) continue;
+      if (largest == places.end() || half_area(bvh.nodes[*place]) > half_area(bvh.nodes[*largest]))
+        largest = place;
+    }
+    if (largest == places.end()) break;
+    const std::uint32_t node = *largest;
+    *largest = node + 1;
+    places.push_back(bvh.nodes[node].first);
+  }
+  return places;
+}
+
+/// Appends the wide node of those places, and all below it; returns its number.
+template <Real R>
+std::uint32_t widen_tree(Bvh<R>& bvh, const std::vector<std::uint32_t>& places) {
+  constexpr R kInfinity = std::numeric_limits<R>::infinity();
+  const std::uint32_t number = std::uint32_t(bvh.wide.size());
+  bvh.wide.emplace_back();
+  WideNode<R> wide;
+  for (std::size_t k = 0; k < std::size_t(WideNode<R>::kWidth); ++k) {
+    const bool empty = k >= places.size();
+    const BvhNode<R>& node = bvh.nodes[empty ? 0 : places[k]];
+    for (int axis = 0; axis < 3; ++axis) {
+      wide.min[axis][k] = empty ? kInfinity : node.min[axis];
+      wide.max[axis][k] = empty ? -kInfinity : node.max[axis];
+    }
+    wide.first[k] = node.first, wide.count[k] = empty ? 0 : node.count;
+    if (!empty && node.count == 0) wide.first[k] = widen_tree(bvh, opened(bvh, places[k]));
+  }
+  bvh.wide[number] = wide;
+  return number;
+}
+
 }  // namespace
 
 template <Real R>
@@ -115,7 +162,10 @@ Bvh<R> build_bvh(const std::vector<std::array<Vec<R>, 3>>& triangles) {
     builder.bounds.push_back(box);
     builder.centers.push_back(R(0.5) * box.min + R(0.5) * box.max);
   }
-  if (!triangles.empty()) builder.build(0, triangles.size(), 0);
+  if (triangles.empty()) return std::move(builder.bvh);
+  builder.build(0, triangles.size(), 0);
+  const bool leaf = builder.bvh.nodes[0].count > 0;
+  widen_tree(builder.bvh, leaf ? std::vector<std::uint32_t>{0} : opened(builder.bvh, 0));
   return std::move(builder.bvh);
 }
 

@@ -56,6 +56,18 @@ TEST(Bvh, FindsWhatAPlainLoopFinds) {
   EXPECT_GT(hits, 50);
 }
 
+TEST(Bvh, HoldsEveryTriangleOnceInItsWideNodes) {
+  const auto bvh = build_bvh(random_triangles(1000));
+  std::vector<int> seen(1000);
+  for (const WideNode<double>& node : bvh.wide) {
+    for (int k = 0; k < WideNode<double>::kWidth; ++k) {
+      for (std::uint32_t i = 0; i < node.count[k]; ++i) ++seen[bvh.order[node.first[k] + i]];
+    }
+  }
+  EXPECT_EQ(std::count(seen.begin(), seen.end(), 1), 1000);
+  EXPECT_LT(bvh.wide.size(), bvh.nodes.size() / 5);
+}
+
 TEST(Bvh, MeetsAFlatBoxSeenAlongAnAxis) {
   const std::vector<Corners> square{{Vec<double>{0, 0, 0}, {1, 0, 0}, {0, 1, 0}},
                                     {Vec<double>{1, 1, 0}, {0, 1, 0}, {1, 0, 0}}};
