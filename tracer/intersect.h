@@ -30,6 +30,19 @@ struct BoxSurface {
   Vec<R> min, max;
 };
 
+/// A ball around something.
+template <Real R>
+struct Ball {
+  Vec<R> center;
+  R radius{};
+};
+
+template <Real R>
+Ball<R> box_ball(const BoxSurface<R>& box) {
+  const Vec<R> half = R(0.5) * (box.max - box.min);
+  return {box.min + half, direction_of(half).length};
+}
+
 /// The two parameters where a line enters and leaves; enter > leave if it misses.
 template <Value V>
 struct Chord {

@@ -8,7 +8,7 @@
 #include "scene/picture.h"
 #include "tracer/shade.h"
 #include "tracer/sum.h"
-#include "tracer/visibility.h"
+#include "tracer/suspects.h"
 
 namespace litmus {
 
@@ -102,19 +102,21 @@ void weaken(const Lamp<R>& lamp, const Mask<V>& open, Incident<V>& light, Counts
 
 /// Where nothing stands between a hit and a lamp that reaches it.
 template <Real R, Value V>
-Mask<V> unhidden(const Plan<R>& plan, const Hit<V>& hit, const LampTerms<V>& one, Counts* counts) {
+Mask<V> unhidden(const Plan<R>& plan, const Hit<V>& hit, const LampTerms<V>& one,
+                 const Suspects& suspects, Counts* counts) {
   if (!plan.shadows && !plan.idle_shadows) return one.reached;
   const Mask<V> asked = plan.everything ? hit.object >= Index<V>(0) : one.reached;
   if (none_of(asked)) return one.reached;
   if (counts) counts->shadow_rays += std::uint64_t(count_of(asked));
-  const Mask<V> hidden = occluded(plan, hit, one.light, asked);
+  const Mask<V> hidden = occluded(plan, hit, one.light, asked, suspects);
   return plan.shadows ? one.reached & !hidden : one.reached;
 }
 
 /// D and S of one lamp at a hit seen from the direction `eye` (unit, towards the eye).
 template <Real R, Value V>
 LampTerms<V> lamp_terms(const Plan<R>& plan, const Lamp<R>& lamp, const Hit<V>& hit,
-                        const Finish<V>& finish, const Vec<V>& eye, Counts* counts = nullptr) {
+                        const Finish<V>& finish, const Vec<V>& eye, const Suspects& suspects = {},
+                        Counts* counts = nullptr) {
   const Mask<V> seen = hit.object >= Index<V>(0);
   // Which side is it on? The sample code does not ask.
   LampTerms<V> result;
@@ -131,7 +133,7 @@ LampTerms<V> lamp_terms(const Plan<R>& plan, const Lamp<R>& lamp, const Hit<V>& 
   // How much of it arrives?
   weaken(lamp, result.open, light, counts);
   result.reached = plan.sample_code ? result.open : result.open & (light.intensity > R(0));
-  result.lit = unhidden(plan, hit, result, counts);
+  result.lit = unhidden(plan, hit, result, suspects, counts);
 
   // What does the surface answer?
   const Mask<V> shiny = result.lit & finish.shiny;
@@ -195,8 +197,12 @@ LightTerms<V> light_terms(const Plan<R>& plan, const Source<R>& source, const Hi
   LightTerms<V> total;
   Edges<V> edges(hit);
   Total<V> diffuse, specular;
+  // One look at all that may be in the way pays off for several lamps.
+  const bool cull = plan.shadows && !plan.everything && source.lamps.size() > 3;
+  const Suspects suspects =
+      cull ? find_suspects(plan, source, hit, hit.object >= Index<V>(0)) : Suspects{};
   for (const Lamp<R>& lamp : source.lamps) {
-    const LampTerms<V> one = lamp_terms(plan, lamp, hit, finish, eye, counts);
+    const LampTerms<V> one = lamp_terms(plan, lamp, hit, finish, eye, suspects, counts);
     diffuse.add(one.terms.diffuse);
     specular.add(one.terms.specular);
     if (plan.sample_code) total.unoccluded += widen(select(one.lit, V(R(1)), V(R(0))));

@@ -118,6 +118,19 @@ void add_object(Plan<R>& plan, int index, const Object& object, bool smooth) {
              object.shape);
 }
 
+/// The ball around the box of some points.
+template <Real R>
+Ball<R> ball_of(const std::vector<Lamp<R>>& lamps) {
+  if (lamps.empty()) return {};
+  Vec<R> min = lamps.front().origin, max = min;
+  for (const Lamp<R>& lamp : lamps) {
+    const Vec<R>& p = lamp.origin;
+    min = {std::min(min.x, p.x), std::min(min.y, p.y), std::min(min.z, p.z)};
+    max = {std::max(max.x, p.x), std::max(max.y, p.y), std::max(max.z, p.z)};
+  }
+  return box_ball(BoxSurface<R>{min, max});
+}
+
 template <Real R>
 Finish<R> finish_from(const Material& material, const Effects& effects, bool sample_code) {
   Finish<R> finish{Vec<R>(material.ambient), {}, {}, R(material.shininess)};
@@ -170,12 +183,16 @@ Plan<R> lower(const Scene& scene, const Effects& effects) {
         finish_from<R>(scene.materials[std::size_t(object.material)], effects, plan.sample_code));
   }
   plan.bvh = build_bvh(plan.triangles);
+  if (!plan.triangles.empty()) {
+    plan.mesh_ball = box_ball(BoxSurface<R>{plan.bvh.nodes[0].min, plan.bvh.nodes[0].max});
+  }
   for (const Light& light : scene.lights) {
     const R intensity(light.intensity);
     Source<R> source{
         {}, R(1), intensity * Vec<R>(light.diffuse), intensity * Vec<R>(light.specular)};
     if (light.intensity != 0) source.lamps = lamps_of<R>(light, effects);
     for (Lamp<R>& lamp : source.lamps) set_effects(lamp, effects);
+    source.ball = ball_of(source.lamps);
     if (source.lamps.size() > 1) source.weight = 1 / R(double(source.lamps.size()));
     if (!plan.sample_code && effects.ambient) {
       plan.ambient = plan.ambient + intensity * Vec<R>(light.ambient);

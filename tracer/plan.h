@@ -43,6 +43,7 @@ struct Source {
   std::vector<Lamp<R>> lamps;
   R weight{1};               ///< 1 / number of lamps
   Vec<R> diffuse, specular;  ///< intensity times colour
+  Ball<R> ball;              ///< around the lamps of an area light
 };
 
 template <Real R>
@@ -61,6 +62,7 @@ struct Plan {
   std::vector<std::array<Vec<R>, 3>> triangles;
   std::vector<TriangleInfo<R>> triangle_info;
   Bvh<R> bvh;
+  Ball<R> mesh_ball;                 ///< around all triangles
   std::vector<char> camera_visible;  ///< per object
   std::vector<Finish<R>> finishes;   ///< per object
   std::vector<Source<R>> sources;    ///< per light

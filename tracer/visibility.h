@@ -271,11 +271,37 @@ V own_exit(const BoxSurface<Scalar<V>>& box, const Hit<V>& hit, const Ray<V>& ra
   return select(outward >= R(0), V(R(-1)), intersect(box, ray).leave);
 }
 
+/// A few numbers of a list; `all` stands for the whole list where it is too long for that.
+struct ShortList {
+  static constexpr std::size_t kMost = 32;
+  bool all = true;
+  int count = 0;
+  std::array<int, kMost> numbers;
+};
+
+/// What to ask for in the plan's lists.
+struct Suspects {
+  ShortList spheres, boxes, planes;
+  bool triangles = true;
+};
+
+/// Calls visit(i, part) -> bool for the suspects among a list's parts, until it returns true.
+template <class Parts, class Visit>
+bool visit_parts(const Parts& parts, const ShortList& list, Visit visit) {
+  const int count = list.all ? int(parts.size()) : list.count;
+  for (int k = 0; k < count; ++k) {
+    const int i = list.all ? k : list.numbers[std::size_t(k)];
+    if (visit(i, parts[std::size_t(i)])) return true;
+  }
+  return false;
+}
+
 /// Calls visit(object, mask of the lanes that it blocks) -> bool for the spheres, boxes and planes
 /// along a shadow ray until that returns true, and returns whether it did. The surface hit is left
 /// out where it is flat; where it is a sphere or a box, only its far side can be in the way.
 template <Real R, Value V, class Visit>
-bool visit_blockers(const Plan<R>& plan, const Hit<V>& hit, const Ray<V>& ray, Visit visit) {
+bool visit_blockers(const Plan<R>& plan, const Hit<V>& hit, const Ray<V>& ray,
+                    const Suspects& suspects, Visit visit) {
   const auto blocks = [&](const V& t) -> Mask<V> { return (t > R(0)) & (t < ray.limit); };
   const auto solid_blocks = [&](Kind kind, int index, const auto& shape) -> Mask<V> {
     const Chord<V> chord = intersect(shape, ray);
@@ -283,18 +309,19 @@ bool visit_blockers(const Plan<R>& plan, const Hit<V>& hit, const Ray<V>& ray, V
     const Mask<V> own = on_surface(hit, kind, index);
     return none_of(own) ? met : (own & blocks(own_exit(shape, hit, ray))) | (!own & met);
   };
-  for (int i = 0; const auto& part : plan.spheres) {
-    if (visit(part.object, solid_blocks(Kind::Sphere, i++, part.shape))) return true;
-  }
-  for (int i = 0; const auto& part : plan.boxes) {
-    if (visit(part.object, solid_blocks(Kind::Box, i++, part.shape))) return true;
-  }
-  for (int i = 0; const auto& part : plan.planes) {
-    const Mask<V> own = on_surface(hit, Kind::Plane, i++);
-    if (all_of(own)) continue;
-    if (visit(part.object, !own & blocks(intersect(part.shape, ray)))) return true;
-  }
-  return false;
+  return visit_parts(plan.spheres, suspects.spheres,
+                     [&](int i, const auto& part) {
+                       return visit(part.object, solid_blocks(Kind::Sphere, i, part.shape));
+                     }) ||
+         visit_parts(plan.boxes, suspects.boxes,
+                     [&](int i, const auto& part) {
+                       return visit(part.object, solid_blocks(Kind::Box, i, part.shape));
+                     }) ||
+         visit_parts(plan.planes, suspects.planes, [&](int i, const auto& part) {
+           const Mask<V> own = on_surface(hit, Kind::Plane, i);
+           if (all_of(own)) return false;
+           return visit(part.object, !own & blocks(intersect(part.shape, ray)));
+         });
 }
 
 /// The object of a triangle that a shadow ray meets, not always the nearest, -1 if there is none.
@@ -326,24 +353,27 @@ template <Real R>
 int first_blocker(const Plan<R>& plan, const Hit<R>& hit, const Incident<R>& light) {
   const Ray<R> ray = shadow_ray(hit, light);
   int blocker = -1;
-  const bool found = visit_blockers(plan, hit, ray, [&](int object, bool blocked) {
+  const bool found = visit_blockers(plan, hit, ray, {}, [&](int object, bool blocked) {
     blocker = object;
     return blocked;
   });
   return found ? blocker : blocking_triangle(plan, ray, own_triangle(hit, 0));
 }
 
-/// Whether anything lies strictly between a hit and a lamp, for the lanes that are asked for.
+/// Whether anything lies strictly between a hit and a lamp, for the lanes that are asked for. Only
+/// the suspects are looked at (suspects.h).
 template <Real R, Value V>
 Mask<V> occluded(const Plan<R>& plan, const Hit<V>& hit, const Incident<V>& light,
-                 const Mask<V>& asked = true) {
+                 const Mask<V>& asked = true, const Suspects& suspects = {}) {
   const Ray<V> ray = shadow_ray(hit, light);
   Mask<V> blocked = !asked;
-  const bool all_blocked = visit_blockers(plan, hit, ray, [&](int, const Mask<V>& by_one) {
-    blocked = blocked | by_one;
-    return all_of(blocked);
-  });
-  for (int i = 0; i < kLanes<V> && !all_blocked && !plan.triangles.empty(); ++i) {
+  const bool all_blocked =
+      visit_blockers(plan, hit, ray, suspects, [&](int, const Mask<V>& by_one) {
+        blocked = blocked | by_one;
+        return all_of(blocked);
+      });
+  if (all_blocked || plan.triangles.empty() || !suspects.triangles) return blocked & asked;
+  for (int i = 0; i < kLanes<V>; ++i) {
     if (lane(blocked, i)) continue;
     set_lane(blocked, i, blocking_triangle(plan, lane(ray, i), own_triangle(hit, i)) >= 0);
   }

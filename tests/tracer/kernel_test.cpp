@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "scene/load.h"
+#include "scene/mesh.h"
 #include "test_paths.h"
 #include "tests/tracer/scenes.h"
 
@@ -35,6 +36,14 @@ void expect_same(const Rendering& ours, const Rendering& theirs, const std::stri
     EXPECT_EQ(ours.layers[i].picture.pixels, theirs.layers[i].picture.pixels) << what;
     EXPECT_EQ(ours.signatures[i].values, theirs.signatures[i].values) << what;
     EXPECT_EQ(ours.flags[i], theirs.flags[i]) << what;
+  }
+}
+
+void move(Object& object, const Vector& by) {
+  if (auto* sphere = std::get_if<Sphere>(&object.shape)) sphere->center += by;
+  if (auto* box = std::get_if<Box>(&object.shape)) box->min += by, box->max += by;
+  if (auto* mesh = std::get_if<Mesh>(&object.shape)) {
+    for (Point& vertex : mesh->vertices) vertex += by;
   }
 }
 
@@ -83,6 +92,36 @@ TEST(Kernel, GivesTheSameBitsOnOneThreadAndOnSeveral) {
     RenderOptions one, three;
     one.threads = 1, three.threads = 3;
     expect_same(render(scene, one), render(scene, three), scene.name);
+  }
+}
+
+TEST(Kernel, GivesTheSameBitsWhereAreaLightsAreNotCulled) {
+  // Four spheres, a box and a mesh around a panel, some in its way and some behind it.
+  Scene scene = floor_from_above(45);
+  scene.objects.push_back({"near", Sphere{{0.4, 0.3, 0.6}, 0.3}, 0, true});
+  scene.objects.push_back({"far", Sphere{{-1.5, 1, 1.1}, 0.4}, 0, true});
+  scene.objects.push_back({"above", Sphere{{0, 0, 4}, 0.5}, 0, false});
+  scene.objects.push_back({"beside", Sphere{{2, -2, 2.9}, 0.2}, 0, false});
+  scene.objects.push_back({"block", Box{{-1, -1.5, 0}, {-0.4, -1, 1.4}}, 0, true});
+  scene.objects.push_back(
+      {"ring", torus({1.2, -0.6, 0.7}, {0, 0.3, 1}, 0.4, 0.1, 12, 8, true), 0, true});
+  AreaLight panel;
+  panel.point.origin = {0.2, 0.1, 3}, panel.normal = Vector{0, 0.1, -1};
+  panel.width = 1.5, panel.height = 0.7, panel.columns = 4, panel.rows = 3;
+  scene.lights = {make_light(panel)};
+  RenderOptions all;
+  all.effects = all_effects();  // culls nothing
+  for (const Precision precision : {Precision::Float, Precision::Double}) {
+    for (const double away : {0.0, 1e4}) {  // far from the origin the margins count
+      Scene moved = scene;
+      const Vector by(away, -away, 0);
+      moved.camera.eye += by, moved.camera.target += by;
+      for (Object& object : moved.objects) move(object, by);
+      std::get<AreaLight>(moved.lights[0].shape).point.origin += by;
+      RenderOptions culled{precision};
+      all.precision = precision;
+      expect_same(render(moved, culled), render(moved, all), std::to_string(away));
+    }
   }
 }
 
