@@ -1,0 +1,100 @@
+// kernel_bench.cpp: pictures per second by kernel, effects, area grid and size of a mesh.
+//
+// build/litmus_bench --benchmark_filter=... ; compare the lines of one run, not those of two.
+#include <benchmark/benchmark.h>
+
+#include "bench/stage.h"
+#include "tracer/kernel.h"
+#include "tracer/pixels.h"
+#ifdef LITMUS_EMBREE
+#include "bench/embree_rays.h"
+#endif
+
+namespace litmus {
+namespace {
+
+/// Renders row by row on this thread; the scene is lowered before. Rendering the whole alone: no
+/// layers, no signatures.
+template <Real R>
+void add(const std::string& name, const Scene& scene, const Effects& effects, RowRenderer<R> row) {
+  benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) {
+    Plan<R> plan = lower<R>(scene, effects);
+    plan.edges = false;
+    RenderOptions options;
+    options.layers = options.edges = false;
+    Rendering picture;
+    picture.whole = Picture(plan.view.width, plan.view.height);
+    for (auto _ : state) {
+      for (int y = 0; y < plan.view.height; ++y) row(plan, options, y, picture, nullptr);
+      benchmark::ClobberMemory();
+    }
+  })->Unit(benchmark::kMillisecond);
+}
+
+/// The widest kernel's rows, or the scalar ones.
+RowRenderer<double> fastest() {
+  return packet_kernels().empty() ? render_row<double, double> : packet_kernels()[0].double_row;
+}
+
+void add_kernels(const std::string& name, const Scene& scene) {
+  const Effects effects = effects_of(scene);
+  add<double>(name + "/scalar", scene, effects, render_row<double, double>);
+  for (const PacketKernel& kernel : packet_kernels()) {
+    const std::string target(kernel.target);
+    add<double>(name + "/" + target, scene, effects, kernel.double_row);
+    add<float>(name + "/" + target + "-float", scene, effects, kernel.float_row);
+  }
+}
+
+/// A whole render() on so many threads; its time is that of the pixels, by the clock on the wall.
+void add_threads(const std::string& name, const Scene& scene, int threads) {
+  benchmark::RegisterBenchmark(name.c_str(),
+                               [=](benchmark::State& state) {
+                                 RenderOptions options;
+                                 options.threads = threads, options.layers = options.edges = false;
+                                 for (auto _ : state)
+                                   state.SetIterationTime(render(scene, options).seconds);
+                               })
+      ->UseManualTime()
+      ->Unit(benchmark::kMillisecond);
+}
+
+/// The same rays through Embree, where it is installed.
+void add_embree([[maybe_unused]] const std::string& name, [[maybe_unused]] const Scene& scene) {
+#ifdef LITMUS_EMBREE
+  benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) {
+    const EmbreeMesh mesh(std::get<Mesh>(scene.objects[0].shape));
+    Scene empty = scene;
+    empty.objects.clear();
+    const View<double> view = lower<double>(empty).view;
+    for (auto _ : state) {
+      benchmark::DoNotOptimize(mesh.primary_hits(view));
+    }
+  })->Unit(benchmark::kMillisecond);
+#endif
+}
+
+}  // namespace
+}  // namespace litmus
+
+int main(int argc, char** argv) {
+  using namespace litmus;
+  add_kernels("point/1024", point_stage(1024));
+  add_kernels("area8x8/512", area_stage(512, 8));
+  const Scene diffuse = diffuse_stage(1024);
+  add<double>("diffuse/1024/every-effect", diffuse, all_effects(), fastest());
+  add<double>("diffuse/1024/needed-effects", diffuse, effects_of(diffuse), fastest());
+  for (const int threads : {1, 2}) {
+    add_threads("threads/" + std::to_string(threads), area_stage(512, 8), threads);
+  }
+  for (const int triangles : {1'000, 10'000, 100'000, 200'000, 2'000'000}) {
+    Scene mesh = mesh_stage(512, triangles);
+    const std::string name = "mesh/512/" + std::to_string(triangles);
+    add<double>(name + "/shaded", mesh, effects_of(mesh), fastest());
+    mesh.lights.clear();
+    add<double>(name + "/primary", mesh, effects_of(mesh), fastest());
+    add_embree(name + "/embree-primary", mesh);
+  }
+  benchmark::Initialize(&argc, argv);
+  benchmark::RunSpecifiedBenchmarks();
+}
