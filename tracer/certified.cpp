@@ -28,7 +28,6 @@ Terms<double>& operator+=(Terms<double>& a, const Terms<double>& b) {
   return a;
 }
 
-constexpr int kMostPoints = 3;
 constexpr int kSplitsForSmallSpheres = 8;
 
 const GaussRule& rule_of(int points) {
@@ -191,11 +190,10 @@ struct Integrator {
 
   /// A piece in full view; false if it has to be split.
   bool integrate(const Piece& piece) {
-    const LightPatch patch = patch_of(piece);
+    const auto bounds = quadrature_bounds(patch_of(piece));
     int points = 1;
-    Terms<double> bound = quadrature_bound(patch, points);
-    while (!within_tolerance(bound) && points < kMostPoints)
-      bound = quadrature_bound(patch, ++points);
+    while (!within_tolerance(bounds[std::size_t(points - 1)]) && points < kMostPoints) ++points;
+    const Terms<double>& bound = bounds[std::size_t(points - 1)];
     if (!within_tolerance(bound) && piece.splits > 0) return false;
     const GaussRule& rule = rule_of(points);
     const double share = piece.half * piece.half;
@@ -318,7 +316,7 @@ PanelTerms certified_terms(const Plan<double>& plan, const Occluders& occluders,
   Integrator integrator{plan,   occluders,
                         panel,  hit,
                         eye,    plan.finishes[std::size_t(hit.object)],
-                        weight, 0.1 / (double(n) * n)};
+                        weight, 1 / (double(n) * n)};
   if (plan.shadows) integrator.collect();
   int splits = 0;
   while ((1 << splits) < n) ++splits;

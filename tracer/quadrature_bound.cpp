@@ -42,20 +42,24 @@ Terms<double> largest_terms(const LightPatch& patch) {
   return {std::clamp(bound.diffuse, 0.0, most), patch.shiny ? std::min(bound.specular, most) : 0.0};
 }
 
-Terms<double> quadrature_bound(const LightPatch& patch, int points) {
+std::array<Terms<double>, kMostPoints> quadrature_bounds(const LightPatch& patch) {
   // Both the value and its estimate lie between 0 and the largest term.
-  Terms<double> best = largest_terms(patch);
+  std::array<Terms<double>, kMostPoints> best;
+  best.fill(largest_terms(patch));
   const double side = std::max(patch.across, patch.up);
   for (const double reach : {0.35, 0.2, 0.1, 0.04, 0.01}) {
     const double axis = (reach - side) / side;  // of the ellipse: (rho + 1/rho) / 2
     if (!(axis > 1)) break;
-    const double rho = axis + std::sqrt(axis * axis - 1);
-    const double factor =
-        (points == 1 ? 16.0 / 3 : 64.0 / 15) * std::pow(rho, -2 * points) / (1 - 1 / (rho * rho));
-    // Half of it is the error of a mean over [-1, 1]; there are two directions.
+    const double rho = axis + std::sqrt(axis * axis - 1), shrink = 1 / (rho * rho);
     const Terms<double> most = bounds_within(patch, reach);
-    best.diffuse = std::min(best.diffuse, factor * most.diffuse);
-    if (patch.shiny) best.specular = std::min(best.specular, factor * most.specular);
+    double power = shrink / (1 - shrink);  // rho^(-2 points) / (1 - rho^-2)
+    for (int points = 1; points <= kMostPoints; ++points, power *= shrink) {
+      // Half of the factor is the error of a mean over [-1, 1]; there are two directions.
+      const double factor = (points == 1 ? 16.0 / 3 : 64.0 / 15) * power;
+      Terms<double>& bound = best[std::size_t(points - 1)];
+      bound.diffuse = std::min(bound.diffuse, factor * most.diffuse);
+      if (patch.shiny) bound.specular = std::min(bound.specular, factor * most.specular);
+    }
   }
   return best;
 }

@@ -1,6 +1,8 @@
 // quadrature_bound.h: how far Gauss-Legendre quadrature over a piece of an area light can be off.
 #pragma once
 
+#include <array>
+
 #include "tracer/lights.h"
 #include "tracer/shade.h"
 
@@ -19,8 +21,10 @@ struct LightPatch {
 /// Upper bounds of the terms D and S (shade.h) anywhere on the piece. Nothing is in the way.
 Terms<double> largest_terms(const LightPatch& patch);
 
-/// Bounds on the error of `points` x `points` Gauss-Legendre quadrature of the means of D and S
-/// over a piece on which no cosine changes its sign. Infinite where nothing is known.
+inline constexpr int kMostPoints = 3;
+
+/// Bounds on the error of 1 x 1, 2 x 2 and 3 x 3 points of Gauss-Legendre quadrature of the means of
+/// D and S over a piece on which no cosine changes its sign.
 ///
 /// An m-point rule on [-1, 1] is off by at most (64/15) M rho^(-2m) / (1 - rho^-2), m >= 2, for a
 /// function that is analytic and at most M in the Bernstein ellipse rho (Trefethen 2013, theorem
@@ -33,6 +37,6 @@ Terms<double> largest_terms(const LightPatch& patch);
 ///     |S| <= attenuation(d0 (1 - eta)) ((l0 + e).n + lambda)^ns / (2 + 2 l0.e - 2 lambda)^(ns/2),
 /// all of them analytic while q < 1, lambda < (l0 + e).n and lambda < 1 + l0.e. Several rho are
 /// tried. Rounding is not counted.
-Terms<double> quadrature_bound(const LightPatch& patch, int points);
+std::array<Terms<double>, kMostPoints> quadrature_bounds(const LightPatch& patch);
 
 }  // namespace litmus
