@@ -10,6 +10,7 @@
 #include "scene/load.h"
 #include "scene/refusal.h"
 #include "tracer/area_sampling.h"
+#include "tracer/autotune.h"
 #include "tracer/explain.h"
 #include "tracer/kernel.h"
 #include "tracer/render.h"
@@ -23,6 +24,8 @@ struct Options {
   std::string precision = "double", sampler = "scene", kernel = "auto", effects = "needed";
   int threads = 0, width = 0, height = 0, area_samples = 0;
   bool terms = false, stats = false;
+  double max_error = 0;
+  std::string metric = "max";
 };
 
 constexpr Precision kPrecisions[] = {Precision::Float, Precision::Double, Precision::LongDouble,
@@ -187,11 +190,43 @@ int run_terms(const Options& options, const Scene& scene) {
   return kPass;
 }
 
+// ---- The cheapest settings that keep an error ------------------------------------------------
+
+ErrorMetric metric_of(const std::string& name) {
+  for (const ErrorMetric metric : kErrorMetrics)
+    if (metric_name(metric) == name) return metric;
+  return ErrorMetric::Max;
+}
+
+int run_tuned(const Options& options, const Scene& scene) {
+  if (options.precision != "double" || options.sampler != "scene" || options.area_samples != 0 ||
+      !options.light.empty() || !options.bound.empty()) {
+    throw Refusal(
+        "--max-error: chooses --precision, --sampler, --area-samples and the samples of a pixel, "
+        "and writes the whole picture; leave out these, --light and --bound");
+  }
+  const Tuned tuned = tune(scene, {.max_error = options.max_error,
+                                   .metric = metric_of(options.metric),
+                                   .threads = options.threads});
+  write_any(options.output, tuned.rendering.whole);
+  fmt::print(stderr, "{}: {}: {} error at most {:.2g}, {:.3g} s ({} settings tried)\n",
+             options.output.string(), words(tuned.settings), options.metric, tuned.error,
+             tuned.seconds, tuned.tried.size());
+  if (tuned.met) return kPass;
+  fmt::print(
+      stderr,
+      "litmus: --max-error {:.2g} cannot be kept; the picture is the most exact one that was "
+      "tried\n",
+      options.max_error);
+  return kOutOfTolerance;
+}
+
 int run(const Options& options) {
   Scene scene = load_scene(find_scene(options.scene));
   if (options.width > 0) scene.width = options.width;
   if (options.height > 0) scene.height = options.height;
   if (options.terms) return run_terms(options, scene);
+  if (options.max_error > 0) return run_tuned(options, scene);
   RenderOptions settings{.precision = precision_of(options.precision),
                          .threads = options.threads,
                          .sampler = sampler_of(options.sampler),
@@ -245,6 +280,19 @@ void add_render(Program& program) {
       .between(0, 64);
   command.option("--bound", options->bound,
                  "With --sampler certified: also write how far each pixel can be off, as .exr");
+  command
+      .option(
+          "--max-error", options->max_error,
+          "Choose the cheapest settings that keep this error, absolute in linear RGB: against "
+          "area lights as whole rectangles (however many samples the scene says), pixels as "
+          "means over their area (scenes with samples = 1: at their centres), exact arithmetic. "
+          "Exit code 1 if none does")
+      .between(1e-12, 1e3);
+  command
+      .option("--metric", options->metric,
+              "With --max-error: max (the worst pixel), p99 (what 99 % of the pixels keep) or rms")
+      .one_of({"max", "p99", "rms"})
+      .with_default();
   command.option("--threads", options->threads, "0: all; the picture does not depend on it")
       .between(0, 1024);
   command

@@ -1,0 +1,193 @@
+// autotune.cpp: doubling until the picture stands still, then looking for something cheaper.
+#include "tracer/autotune.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+
+#include "tracer/area_sampling.h"
+#include "tracer/cpu_clock.h"
+
+namespace litmus {
+namespace {
+
+constexpr int kMostAreaSamples = 512, kMostGrid = 64, kMostPixelSamples = 128;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kJudges = 0.25;         // of the error allowed: what a judge may be off by itself
+constexpr double kWorthRepeating = 0.2;  // seconds: shorter times are taken three times
+// Rounding of double precision on any scene that the loader accepts is far below this.
+constexpr double kRounding = 1e-9;
+
+bool has_area_light(const Scene& scene) {
+  return std::any_of(scene.lights.begin(), scene.lights.end(), [](const Light& light) {
+    return std::holds_alternative<AreaLight>(light.shape);
+  });
+}
+
+struct Measured {
+  Rendering rendering;
+  double seconds;
+};
+
+struct Tuner {
+  const Scene& scene;
+  const TuneOptions& options;
+  Tuned result{};
+
+  Measured measure(const TuneSettings& settings) const {
+    double least = kInfinity;
+    Measured measured;
+    for (int repeat = 0; repeat < 3 && (repeat == 0 || least < kWorthRepeating); ++repeat) {
+      const double start = cpu_seconds();
+      measured.rendering = render(scene, settings, options.threads);
+      least = std::min(least, cpu_seconds() - start);
+    }
+    measured.seconds = least;
+    return measured;
+  }
+
+  double apart(const Rendering& a, const Rendering& b) const {
+    return error_of(pixel_errors(a.whole, b.whole), options.metric);
+  }
+
+  /// Notes what was tried, and keeps it if it is the cheapest so far that keeps the error.
+  bool offer(const TuneSettings& settings, double error, Measured measured) {
+    result.tried.push_back({settings, error, measured.seconds});
+    const bool keeps = error <= options.max_error;
+    const bool better = keeps ? !result.met || measured.seconds < result.seconds
+                              : !result.met && (result.tried.size() == 1 || error < result.error);
+    if (better) {
+      result.met = keeps;
+      result.settings = settings, result.error = error, result.seconds = measured.seconds;
+      result.rendering = std::move(measured.rendering);
+    }
+    return keeps;
+  }
+
+  /// Tries with(1), with(2), with(4), ... as far as they are cheaper than what is known; then, if
+  /// `between`, those between the last that fails and the first that keeps the error.
+  template <class With>
+  void climb(const Rendering& judge, double own_error, int most, bool between, With with) {
+    bool cheaper = true;
+    const auto keeps = [&](int n) {
+      Measured one = measure(with(n));
+      cheaper = !result.met || one.seconds < result.seconds;
+      const double error = apart(one.rendering, judge) + own_error;
+      return offer(with(n), error, std::move(one));
+    };
+    int fails = 0, holds = 0;
+    for (int n = 1; n <= most && cheaper && holds == 0; n *= 2) (keeps(n) ? holds : fails) = n;
+    while (between && holds - fails > 1) {
+      const int middle = (holds + fails) / 2;
+      (keeps(middle) ? holds : fails) = middle;
+    }
+  }
+};
+
+/// A picture that is exact enough to judge others, and what is left of its own error.
+struct Judge {
+  Rendering rendering;
+  double own_error = kInfinity;
+};
+
+/// Doubles whichever number of samples changes the picture more, until neither changes it by much
+/// of what is allowed. Offers each setting before its doubling.
+Judge find_judge(Tuner& tuner, bool area, bool pixels) {
+  const double wanted = kJudges * tuner.options.max_error;
+  TuneSettings now{area ? Sampler::Certified : Sampler::Scene, area ? 1 : 0, 1, Precision::Double};
+  Measured measured = tuner.measure(now);
+  double own = kInfinity;
+  while (measured.seconds < tuner.options.time_limit / 4) {
+    TuneSettings more_area = now, more_pixels = now;
+    more_area.area_samples *= 2, more_pixels.pixel_samples *= 2;
+    std::optional<Measured> by_area, by_pixels;
+    double area_change = 0, pixel_change = 0;
+    if (area && now.area_samples < kMostAreaSamples) {
+      by_area = tuner.measure(more_area);
+      area_change = tuner.apart(by_area->rendering, measured.rendering);
+    }
+    if (pixels && now.pixel_samples < kMostPixelSamples) {
+      by_pixels = tuner.measure(more_pixels);
+      pixel_change = tuner.apart(by_pixels->rendering, measured.rendering);
+    }
+    if (!by_area && !by_pixels) break;
+    own = 0.5 * area_change + pixel_change + kRounding;
+    tuner.offer(now, area_change + pixel_change + own, std::move(measured));
+
+    // Go on with the finer picture. Without the other doubling it is not as good as `own` says.
+    const bool to_area = by_area && (!by_pixels || area_change >= pixel_change);
+    now = to_area ? more_area : more_pixels;
+    measured = std::move(to_area ? *by_area : *by_pixels);
+    if (by_area && by_pixels) own += to_area ? pixel_change : area_change;
+    if (own <= wanted) break;
+  }
+  return {std::move(measured.rendering), own};
+}
+
+}  // namespace
+
+std::string words(const TuneSettings& s) {
+  std::string text;
+  if (s.sampler != Sampler::Scene)
+    text = fmt::format("{} n = {}, ", sampler_name(s.sampler), s.area_samples);
+  if (s.pixel_samples > 1) text += fmt::format("{0} x {0} samples a pixel, ", s.pixel_samples);
+  return text + std::string(precision_name(s.precision));
+}
+
+Rendering render(const Scene& scene, const TuneSettings& settings, int threads) {
+  Scene changed = scene;
+  changed.samples = settings.pixel_samples;
+  return render(changed, {.precision = settings.precision,
+                          .threads = threads,
+                          .sampler = settings.sampler,
+                          .area_samples = settings.area_samples});
+}
+
+Tuned tune(const Scene& scene, const TuneOptions& options) {
+  Tuner tuner{scene, options};
+  const bool area = has_area_light(scene) && scene.shading == Shading::Equation;
+  const bool pixels = scene.samples > 1;
+  if (!area && !pixels) {
+    // Exact but for rounding: the only question is whether float will do.
+    const TuneSettings exact{}, coarse{.precision = Precision::Float};
+    Measured judge = tuner.measure(exact), in_float = tuner.measure(coarse);
+    const double error = tuner.apart(in_float.rendering, judge.rendering) + kRounding;
+    tuner.offer(exact, kRounding, std::move(judge));
+    tuner.offer(coarse, error, std::move(in_float));
+    return std::move(tuner.result);
+  }
+  const Judge judge = find_judge(tuner, area, pixels);
+  if (!(judge.own_error < options.max_error)) return std::move(tuner.result);
+
+  // What is known keeps the error with one number of samples a pixel; fewer may do.
+  const TuneSettings known = tuner.result.settings;
+  if (pixels) {
+    tuner.climb(judge.rendering, judge.own_error, known.pixel_samples, true, [&](int n) {
+      TuneSettings one = known;
+      one.pixel_samples = n;
+      return one;
+    });
+  }
+  const int pixel_samples = tuner.result.settings.pixel_samples;
+  if (area) {
+    for (const Sampler sampler : {Sampler::Certified, Sampler::Gauss, Sampler::Centres}) {
+      // The certified sampler knows powers of two only.
+      tuner.climb(judge.rendering, judge.own_error, kMostGrid, sampler != Sampler::Certified,
+                  [&](int n) {
+                    return TuneSettings{sampler, n, pixel_samples, Precision::Double};
+                  });
+    }
+  }
+  TuneSettings in_float = tuner.result.settings;
+  in_float.precision = Precision::Float;
+  if (in_float.sampler != Sampler::Certified && in_float.sampler != Sampler::Gauss) {
+    Measured one = tuner.measure(in_float);
+    const double error = tuner.apart(one.rendering, judge.rendering) + judge.own_error;
+    tuner.offer(in_float, error, std::move(one));
+  }
+  return std::move(tuner.result);
+}
+
+}  // namespace litmus
