@@ -33,6 +33,8 @@ void write_blender(const Scene& scene, std::ostream& out);
 /// What a user of Blender would write, at best fit: SPOT, AREA, Diffuse and Glossy BSDF. The same
 /// frames, but an area light has one. The header comment says what is not the model's.
 void write_blender_native(const Scene& scene, std::ostream& out);
+/// The same with so many samples a pixel, where there is an area light.
+void write_blender_native_sampled(const Scene& scene, std::ostream& out, int area_rays);
 
 /// What the exact export cannot express exactly in this scene; empty where it is exact.
 std::vector<std::string> blender_caveats(const Scene& scene);

@@ -91,7 +91,7 @@ void write_lamp(const Light& light, const std::vector<Point>& points, const std:
 }
 
 /// What is not the model's, with what it costs where that was measured.
-std::vector<std::string> differences(const Scene& scene) {
+std::vector<std::string> differences(const Scene& scene, int area_rays) {
   std::vector<std::string> list;
   bool positional = false, spot = false, area = false, two_colours = false, shiny = false;
   for (const Light& light : scene.lights) {
@@ -116,7 +116,7 @@ std::vector<std::string> differences(const Scene& scene) {
         "An AREA lamp is the whole rectangle, not a grid of points, dims with the cosine of "
         "emission "
         "and is sampled at random ({} rays a pixel): soft shadows have no steps, but noise.",
-        kAreaRays));
+        area_rays));
   }
   if (two_colours) list.push_back("A lamp has one colour: the diffuse one.");
   if (shiny) {
@@ -133,7 +133,11 @@ std::vector<std::string> differences(const Scene& scene) {
 
 }  // namespace
 
-void write_blender_native(const Scene& given, std::ostream& out) {
+void write_blender_native(const Scene& scene, std::ostream& out) {
+  write_blender_native_sampled(scene, out, kAreaRays);
+}
+
+void write_blender_native_sampled(const Scene& given, std::ostream& out, int area_rays) {
   refuse_for_blender(given);
   const Scene scene = into_envelope(given);
   out << "# " << comment(given.name)
@@ -141,7 +145,8 @@ void write_blender_native(const Scene& given, std::ostream& out) {
   if (!given.about.empty()) out << comment_block(given.about, "# ");
   write_blender_commands(given, false, out);
   out << "#\n# It is not the model's picture:\n";
-  for (const std::string& text : differences(scene)) out << comment_block("- " + text, "# ");
+  for (const std::string& text : differences(scene, area_rays))
+    out << comment_block("- " + text, "# ");
   out << kBlenderNativePrelude;
 
   bool area = false;
@@ -149,7 +154,7 @@ void write_blender_native(const Scene& given, std::ostream& out) {
   out << "\n\n# ---- The scene "
          "-------------------------------------------------------------------------------\n\n";
   out << fmt::format("new_scene({}, {}, {}, samples={}, rays={})\n", python_label(scene.name),
-                     scene.width, scene.height, scene.samples, area ? kAreaRays : 1);
+                     scene.width, scene.height, scene.samples, area ? area_rays : 1);
   out << "ambient(" << python_triple(blender_ambient(scene)) << ")\n\n";
   write_blender_camera(scene, out);
   out << '\n';

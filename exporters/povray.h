@@ -23,6 +23,9 @@ void write_povray(const Scene& scene, std::ostream& out);
 /// What a user of POV-Ray would write: spotlight, area_light, fade_distance at best fit, same
 /// frames and gains. The header says what differs from the model and by how much.
 void write_povray_native(const Scene& scene, std::ostream& out);
+/// The same with `adaptive LEVEL` (0 and more) on every area_light: POV-Ray then traces rays to the
+/// corners first and more where they disagree.
+void write_povray_native_adaptive(const Scene& scene, std::ostream& out, int level);
 
 /// What the exact mapping leaves inexact for this scene; mostly nothing.
 std::vector<std::string> povray_caveats(const Scene& scene);

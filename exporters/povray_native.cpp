@@ -7,12 +7,12 @@
 
 #include "exporters/area_grid.h"
 #include "exporters/envelope.h"
-#include "scene/overload.h"
 #include "exporters/povray.h"
 #include "exporters/povray_fit.h"
 #include "exporters/povray_layers.h"
 #include "exporters/povray_parts.h"
 #include "exporters/text.h"
+#include "scene/overload.h"
 
 namespace litmus {
 namespace povray {
@@ -45,19 +45,20 @@ std::string color_text(const Scene& scene, const Light& light) {
                      rounded(fit_fade(attenuation_of(light), reach(scene)).factor));
 }
 
-std::string area_text(const AreaLight& area) {
+std::string area_text(const AreaLight& area, const std::string& adaptive) {
   const GridAxes axes = grid_axes(area);
   // POV-Ray's samples reach the ends of the axes: those of a grid of cell centres lie further in.
   const auto side = [&](double size, int count) {
     return area.placement == Placement::Centres ? size * (count - 1) / count : size;
   };
-  return fmt::format("area_light {}, {}, {}, {} area_illumination on",
+  return fmt::format("area_light {}, {}, {}, {}{} area_illumination on",
                      vector_text(axes.right * side(area.width, area.columns)),
-                     vector_text(axes.up * side(area.height, area.rows)), area.columns, area.rows);
+                     vector_text(axes.up * side(area.height, area.rows)), area.columns, area.rows,
+                     adaptive);
 }
 
 void write_light(const Scene& scene, const Light& light, const std::string& name,
-                 std::ostream& out) {
+                 const std::string& adaptive, std::ostream& out) {
   const std::string color = color_text(scene, light), fade = fade_text(scene, light);
   const auto source = [&](const std::string& at, const std::string& kind) {
     out << fmt::format("  light_source {{\n    {}\n    {}\n    {}{}\n  }}\n", at, color, kind,
@@ -65,21 +66,21 @@ void write_light(const Scene& scene, const Light& light, const std::string& name
   };
   out << fmt::format("\n#if (Shines({}))  // {}\n", name, light_type(light));
   std::visit(
-      Overload{[&](const DirectionalLight& l) {
-                 constexpr double kFarAway = 1e5;
-                 source(vector_text(-kFarAway * glm::normalize(l.direction)),
-                        "parallel point_at <0, 0, 0>");
-               },
-               [&](const PointLight& l) { source(vector_text(l.origin), ""); },
-               [&](const SpotLight& l) {
-                 const SpotFit fit = fit_spot(l.cutoff, l.exponent);
-                 source(vector_text(l.point.origin),
-                        fmt::format("spotlight point_at {} radius {} falloff {} tightness {}",
-                                    vector_text(l.point.origin + glm::normalize(l.direction)),
-                                    rounded(fit.radius), rounded(fit.falloff),
-                                    rounded(fit.tightness)));
-               },
-               [&](const AreaLight& l) { source(vector_text(l.point.origin), area_text(l)); }},
+      Overload{
+          [&](const DirectionalLight& l) {
+            constexpr double kFarAway = 1e5;
+            source(vector_text(-kFarAway * glm::normalize(l.direction)),
+                   "parallel point_at <0, 0, 0>");
+          },
+          [&](const PointLight& l) { source(vector_text(l.origin), ""); },
+          [&](const SpotLight& l) {
+            const SpotFit fit = fit_spot(l.cutoff, l.exponent);
+            source(vector_text(l.point.origin),
+                   fmt::format("spotlight point_at {} radius {} falloff {} tightness {}",
+                               vector_text(l.point.origin + glm::normalize(l.direction)),
+                               rounded(fit.radius), rounded(fit.falloff), rounded(fit.tightness)));
+          },
+          [&](const AreaLight& l) { source(vector_text(l.point.origin), area_text(l, adaptive)); }},
       light.shape);
   out << "#end\n";
 }
@@ -172,11 +173,7 @@ void write_gains(const Scene& scene, const Names& names, std::ostream& out) {
                      vector_text(ambient_power(scene)));
 }
 
-}  // namespace
-}  // namespace povray
-
-void write_povray_native(const Scene& original, std::ostream& out) {
-  using namespace povray;
+void write_native(const Scene& original, const std::string& adaptive, std::ostream& out) {
   refuse_sample_code(original);
   const Scene scene = into_envelope(original);
   const Names names = names_of(scene);
@@ -194,7 +191,18 @@ void write_povray_native(const Scene& original, std::ostream& out) {
   write_objects(scene, names, MeshAs::Mesh2, out);
   write_title("Lights", out);
   for (std::size_t i = 0; i < scene.lights.size(); ++i)
-    write_light(scene, scene.lights[i], names.lights[i], out);
+    write_light(scene, scene.lights[i], names.lights[i], adaptive, out);
+}
+
+}  // namespace
+}  // namespace povray
+
+void write_povray_native(const Scene& scene, std::ostream& out) {
+  povray::write_native(scene, "", out);
+}
+
+void write_povray_native_adaptive(const Scene& scene, std::ostream& out, int level) {
+  povray::write_native(scene, fmt::format(" adaptive {}", level), out);
 }
 
 }  // namespace litmus

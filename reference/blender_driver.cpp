@@ -203,20 +203,23 @@ for scene in sys.argv[sys.argv.index("--") + 1:]:
 )";
 }
 
-double blender_render_seconds(const std::string& log, std::size_t scene) {
-  const std::size_t begin = log.find(fmt::format("litmus begin {}\n", scene));
-  if (begin == std::string::npos) return 0;
-  const std::size_t end =
-      std::min(log.find(fmt::format("litmus end {} ", scene), begin), log.size());
+double cycles_render_seconds(const std::string& log) {
   constexpr std::string_view kTotal = "Total render time: ";
   double total = 0;
-  for (std::size_t at = log.find(kTotal, begin); at < end; at = log.find(kTotal, at + 1)) {
+  for (std::size_t at = log.find(kTotal); at != std::string::npos; at = log.find(kTotal, at + 1)) {
     double seconds = 0;
     const char* start = log.data() + at + kTotal.size();
     if (std::from_chars(start, log.data() + log.size(), seconds).ec == std::errc())
       total += seconds;
   }
   return total;
+}
+
+double blender_render_seconds(const std::string& log, std::size_t scene) {
+  const std::size_t begin = log.find(fmt::format("litmus begin {}\n", scene));
+  if (begin == std::string::npos) return 0;
+  const std::size_t end = log.find(fmt::format("litmus end {} ", scene), begin);
+  return cycles_render_seconds(log.substr(begin, end == std::string::npos ? end : end - begin));
 }
 
 Driver blender_driver() {

@@ -23,6 +23,8 @@ Driver blender_driver();
 
 /// Seconds of rendering in a log of Blender, between the lines "litmus begin N" and "litmus end N".
 double blender_render_seconds(const std::string& log, std::size_t scene);
+/// Seconds of rendering in a whole log.
+double cycles_render_seconds(const std::string& log);
 
 /// The script that runs the scripts 0000.py, 0001.py, ... of a folder one after the other, each
 /// with OUTDIR 0000, 0001, ...; behind "--" it expects the numbers of the scenes to do.

@@ -5,6 +5,8 @@
 #include <fmt/ranges.h>
 
 #include <array>
+#include <functional>
+#include <memory>
 #include <sstream>
 
 #include "compare/whole_file.h"
@@ -26,11 +28,13 @@ namespace fs = std::filesystem;
 struct Native {
   std::string title;
   const char* script;  ///< the export's file
-  void (*write)(const Scene&, std::ostream&);
-  std::vector<std::string> (*arguments)(const Scene&);  ///< behind the program, in the folder
+  std::function<void(const Scene&, std::ostream&)> write;
+  std::function<std::vector<std::string>(const Scene&)>
+      arguments;  ///< behind the program, in the folder
   /// The image of a layer (0 is ambient), and what its values are times the light.
   fs::path (*frame)(const Scene&, std::size_t layer);
   double (*gain)(const Scene&, std::size_t layer);
+  double (*seconds)(const std::string& log);
 };
 
 fs::path povray_frame(const Scene& scene, std::size_t layer) {
@@ -40,26 +44,56 @@ fs::path povray_frame(const Scene& scene, std::size_t layer) {
   return fmt::format("scene{:0{}}.png", layer + 1, digits);
 }
 
-const Native kPovray{"POV-Ray, its own lights",
-                     "scene.pov",
-                     write_povray_native,
-                     [](const Scene& scene) { return povray_arguments(scene, "scene"); },
-                     povray_frame,
-                     povray_gain};
+Native povray(int adaptive, int antialiasing) {
+  return {"POV-Ray, its own lights",
+          "scene.pov",
+          [adaptive](const Scene& scene, std::ostream& out) {
+            if (adaptive < 0) return write_povray_native(scene, out);
+            write_povray_native_adaptive(scene, out, adaptive);
+          },
+          [antialiasing](const Scene& scene) {
+            std::vector<std::string> arguments = povray_arguments(scene, "scene");
+            if (antialiasing > 0) {
+              for (std::string option :
+                   {std::string("+A0.0"), std::string("+AM1"), fmt::format("+R{}", antialiasing)})
+                arguments.push_back(std::move(option));
+            }
+            return arguments;
+          },
+          povray_frame,
+          povray_gain,
+          povray_trace_seconds};
+}
 
-const Native kBlender{
-    "Blender Cycles, its own lights",
-    "scene.py",
-    write_blender_native,
-    [](const Scene&) {
-      return std::vector<std::string>{
-          "-b", "--factory-startup", "-Y", "--python-exit-code", "9", "-P", "scene.py", "--",
-          ".",  "--no-blend"};
-    },
-    [](const Scene& scene, std::size_t layer) {
-      return fs::path(fmt::format("{}_{:04}.exr", blender_stem(scene), layer + 1));
-    },
-    [](const Scene&, std::size_t) { return 1.0; }};
+constexpr int kAreaRays = 256;  // samples a pixel
+
+Native blender(int area_rays) {
+  return {"Blender Cycles, its own lights",
+          "scene.py",
+          [area_rays](const Scene& scene, std::ostream& out) {
+            write_blender_native_sampled(scene, out, area_rays);
+          },
+          [](const Scene&) {
+            return std::vector<std::string>{"-b",
+                                            "--factory-startup",
+                                            "-Y",
+                                            "--debug-cycles",
+                                            "--python-exit-code",
+                                            "9",
+                                            "-P",
+                                            "scene.py",
+                                            "-t",
+                                            "1",
+                                            "--",
+                                            ".",
+                                            "--no-blend"};
+          },
+          [](const Scene& scene, std::size_t layer) {
+            return fs::path(fmt::format("{}_{:04}.exr", blender_stem(scene), layer + 1));
+          },
+          [](const Scene&, std::size_t) { return 1.0; },
+          cycles_render_seconds};
+}
 
 std::string exported(const Native& native, const Scene& scene) {
   std::ostringstream out;
@@ -97,8 +131,8 @@ ReferenceResult render_one(const Native& native, const Installation& installed, 
                                  fmt::join(command.arguments, " "));
     command.arguments.insert(command.arguments.begin(), installed.program.string());
     const ProcessResult process = run_process(command);
-    result.seconds = process.seconds;
     if (!process.ok()) throw Refusal(process.explanation);
+    result.seconds = native.seconds(read_text(result.log));
     for (std::size_t k = 0; k <= scene.lights.size(); ++k) {
       const Light* light = k == 0 ? nullptr : &scene.lights[k - 1];
       result.layers.push_back({light ? light->name : "ambient",
@@ -112,14 +146,16 @@ ReferenceResult render_one(const Native& native, const Installation& installed, 
   return result;
 }
 
-Driver driver_of(const Native& native, const Driver& exact) {
+Driver driver_of(const Native& with, const Driver& exact) {
+  const auto shared = std::make_shared<const Native>(with);
   Driver driver = exact;
   driver.name += "-native";
-  driver.title = native.title;
-  driver.revision = 1;
-  driver.source = [&native](const Scene& scene) { return source(native, scene); };
-  driver.render = [&native](const Installation& installed, std::span<const Scene> scenes,
-                            const ReferenceOptions& options, const ResultSink& sink) {
+  driver.title = with.title;
+  driver.revision = 2;
+  driver.source = [shared](const Scene& scene) { return source(*shared, scene); };
+  driver.render = [shared](const Installation& installed, std::span<const Scene> scenes,
+                           const ReferenceOptions& options, const ResultSink& sink) {
+    const Native& native = *shared;
     render_in_pool(
         scenes, options, native.title,
         [&](const Scene& scene, const fs::path& folder) {
@@ -133,9 +169,17 @@ Driver driver_of(const Native& native, const Driver& exact) {
 }  // namespace
 
 std::span<const Driver> native_drivers() {
-  static const std::array table{driver_of(kPovray, povray_driver()),
-                                driver_of(kBlender, blender_driver())};
+  static const std::array table{driver_of(povray(-1, 0), povray_driver()),
+                                driver_of(blender(kAreaRays), blender_driver())};
   return table;
+}
+
+Driver povray_native_driver(int adaptive, int antialiasing) {
+  return driver_of(povray(adaptive, antialiasing), povray_driver());
+}
+
+Driver blender_native_driver(int area_rays) {
+  return driver_of(blender(area_rays), blender_driver());
 }
 
 }  // namespace litmus

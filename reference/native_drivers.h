@@ -13,7 +13,14 @@ namespace litmus {
 ///
 /// One process per scene, several at a time. POV-Ray's frames are 16-bit linear PNG (steps of
 /// 1.5e-5 of a frame's brightest value), Blender's 32-bit EXR, area lights sampled at random.
-/// `seconds` is the wall clock of the process, its start included.
+/// `seconds` is the time of rendering alone, as the renderer prints it.
 std::span<const Driver> native_drivers();
+
+/// "povray-native" with `adaptive` on its area lights (-1: without), and with antialiasing by n x n
+/// samples in every pixel (`+A0.0 +AM1 +Rn`; 0: without).
+Driver povray_native_driver(int adaptive, int antialiasing);
+
+/// "blender-native" with so many samples a pixel where there is an area light.
+Driver blender_native_driver(int area_rays);
 
 }  // namespace litmus
