@@ -23,6 +23,7 @@ void add_export(Program& program);
 void add_reference(Program& program);
 void add_compare(Program& program);
 void add_approve(Program& program);
+void add_cost(Program& program);
 void add_list(Program& program);
 void add_doctor(Program& program);
 

@@ -8,9 +8,9 @@
 int main(int argc, char** argv) {
   using namespace litmus;
   end_processes_on_interrupt();
-  void (*const commands[])(Program&) = {add_run,     add_render,    add_explain,
-                                        add_export,  add_reference, add_compare,
-                                        add_approve, add_list,      add_doctor};
+  void (*const commands[])(Program&) = {add_run,       add_render,  add_explain, add_export,
+                                        add_reference, add_compare, add_approve, add_cost,
+                                        add_list,      add_doctor};
   try {
     return run_program(
         argc, argv,

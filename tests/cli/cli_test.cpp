@@ -42,7 +42,7 @@ class Program : public ProgramTest {
 
 TEST_F(Program, ExplainsEachCommandWithAnExample) {
   for (const char* command :
-       {"run", "render", "export", "reference", "compare", "list", "doctor"}) {
+       {"run", "render", "export", "reference", "compare", "cost", "list", "doctor"}) {
     const Ended help = litmus(std::string(command) + " --help");
     EXPECT_EQ(help.code, 0) << command;
     EXPECT_NE(help.text.find(command == std::string("doctor") ? "Exit code" : "Example: litmus"),

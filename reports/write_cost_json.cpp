@@ -1,0 +1,103 @@
+// write_cost_json.cpp: cost.json.
+#include <nlohmann/json.hpp>
+
+#include "reports/plain_text.h"
+#include "reports/write_cost.h"
+
+namespace litmus {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json errors_json(const CostFigures& figures) {
+  Json all = Json::object();
+  for (const auto& [region, errors] : figures) {
+    Json& row = all[std::string(name_of(region))];
+    for (const ErrorMetric metric : kErrorMetrics)
+      row[std::string(metric_name(metric))] = errors[std::size_t(metric)];
+  }
+  return all;
+}
+
+Json series_json(const CostSeries& series) {
+  Json points = Json::array(), fits = Json::array();
+  for (const CostPoint& point : series.points) {
+    points.push_back({{"knob", point.knob},
+                      {"setting", clean_text(point.words)},
+                      {"errors", errors_json(point.errors)},
+                      {"seconds",
+                       {{"least", point.time.least},
+                        {"median", point.time.median},
+                        {"spread", point.time.spread},
+                        {"repeats", point.time.repeats}}}});
+  }
+  for (const CostFit& fit : series.fits) {
+    fits.push_back({{"region", name_of(fit.region)},
+                    {"metric", metric_name(fit.metric)},
+                    {"order", fit.order},
+                    {"low", fit.low},
+                    {"high", fit.high},
+                    {"points", fit.points}});
+  }
+  return {{"name", series.name}, {"renderer", series.renderer}, {"title", series.title},
+          {"knob", series.knob}, {"exact", series.exact},       {"points", points},
+          {"fits", fits}};
+}
+
+Json topic_json(const CostTopic& topic) {
+  Json series = Json::array(), front = Json::object();
+  for (const CostSeries& one : topic.series) series.push_back(series_json(one));
+  for (const ErrorMetric metric : kErrorMetrics) {
+    Json& list = front[std::string(metric_name(metric))] = Json::array();
+    for (const FrontPoint& one : pareto_front(topic, metric))
+      list.push_back({{"series", one.series->name}, {"knob", one.point->knob}});
+  }
+  return {{"name", topic.name},
+          {"title", topic.title},
+          {"aim", topic.aim},
+          {"truth", topic.truth},
+          {"truth_error", errors_json(topic.truth_error)},
+          {"series", series},
+          {"front", front}};
+}
+
+Json provenance_of_study(const Provenance& p) {
+  Json versions = Json::array();
+  for (const auto& [name, version] : p.versions)
+    versions.push_back({{"name", clean_text(name)}, {"version", clean_text(version)}});
+  return {{"litmus_version", p.litmus_version},
+          {"commit", p.commit},
+          {"compiler", p.compiler},
+          {"flags", p.flags},
+          {"cpu", clean_text(p.cpu)},
+          {"system", clean_text(p.system)},
+          {"command", clean_text(p.command)},
+          {"started", p.started},
+          {"threads", p.threads},
+          {"seconds", p.seconds},
+          {"versions", versions}};
+}
+
+}  // namespace
+
+std::string cost_json(const CostStudy& study) {
+  Json topics = Json::array(), missing = Json::array(), start_up = Json::object();
+  for (const CostTopic& topic : study.topics) topics.push_back(topic_json(topic));
+  for (const std::string& line : study.missing) missing.push_back(clean_text(line));
+  for (const auto& [renderer, seconds] : study.start_up) start_up[renderer] = seconds;
+  const Json all{{"schema_version", 1},
+                 {"provenance", provenance_of_study(study.provenance)},
+                 {"scene",
+                  {{"name", clean_text(study.scene)},
+                   {"about", clean_text(study.about)},
+                   {"width", study.width},
+                   {"height", study.height}}},
+                 {"quick", study.quick},
+                 {"topics", topics},
+                 {"sentences", study.sentences},
+                 {"missing", missing},
+                 {"start_up_seconds", start_up}};
+  return all.dump(1);
+}
+
+}  // namespace litmus
