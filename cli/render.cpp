@@ -275,7 +275,8 @@ void add_render(Program& program) {
       .with_default();
   command
       .option("--area-samples", options->area_samples,
-              "N along each side of an area light (certified: pieces down to 1/N); 0: as the scene "
+              "N along each side of an area light (certified: pieces down to 1/N, N rounded up to "
+              "2^k or 3 * 2^k); 0: as the scene "
               "says")
       .between(0, 64);
   command.option("--bound", options->bound,

@@ -14,8 +14,9 @@ namespace litmus {
 namespace {
 
 constexpr int kMostAreaSamples = 512, kMostGrid = 64, kMostPixelSamples = 128;
+constexpr int kAllBetween = 10;  // bisections: enough for all numbers up to 1024
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kJudges = 0.25;         // of the error allowed: what a judge may be off by itself
+constexpr double kJudges = 0.1;          // of the error allowed: what a judge may be off by itself
 constexpr double kWorthRepeating = 0.2;  // seconds: shorter times are taken three times
 // Rounding of double precision on any scene that the loader accepts is far below this.
 constexpr double kRounding = 1e-9;
@@ -66,10 +67,10 @@ struct Tuner {
     return keeps;
   }
 
-  /// Tries with(1), with(2), with(4), ... as far as they are cheaper than what is known; then, if
-  /// `between`, those between the last that fails and the first that keeps the error.
+  /// Tries with(1), with(2), with(4), ... as far as they are cheaper than what is known; then up to
+  /// `between` of those between the last that fails and the first that keeps the error.
   template <class With>
-  void climb(const Rendering& judge, double own_error, int most, bool between, With with) {
+  void climb(const Rendering& judge, double own_error, int most, int between, With with) {
     bool cheaper = true;
     const auto keeps = [&](int n) {
       Measured one = measure(with(n));
@@ -79,7 +80,7 @@ struct Tuner {
     };
     int fails = 0, holds = 0;
     for (int n = 1; n <= most && cheaper && holds == 0; n *= 2) (keeps(n) ? holds : fails) = n;
-    while (between && holds - fails > 1) {
+    while (between-- > 0 && holds - fails > 1) {
       const int middle = (holds + fails) / 2;
       (keeps(middle) ? holds : fails) = middle;
     }
@@ -164,7 +165,7 @@ Tuned tune(const Scene& scene, const TuneOptions& options) {
   // What is known keeps the error with one number of samples a pixel; fewer may do.
   const TuneSettings known = tuner.result.settings;
   if (pixels) {
-    tuner.climb(judge.rendering, judge.own_error, known.pixel_samples, true, [&](int n) {
+    tuner.climb(judge.rendering, judge.own_error, known.pixel_samples, kAllBetween, [&](int n) {
       TuneSettings one = known;
       one.pixel_samples = n;
       return one;
@@ -173,9 +174,10 @@ Tuned tune(const Scene& scene, const TuneOptions& options) {
   const int pixel_samples = tuner.result.settings.pixel_samples;
   if (area) {
     for (const Sampler sampler : {Sampler::Certified, Sampler::Gauss, Sampler::Centres}) {
-      // The certified sampler knows powers of two only.
-      tuner.climb(judge.rendering, judge.own_error, kMostGrid, sampler != Sampler::Certified,
-                  [&](int n) {
+      // The certified sampler knows 2^k and 3 * 2^k only.
+      tuner.climb(judge.rendering, judge.own_error,
+                  sampler == Sampler::Certified ? kMostAreaSamples : kMostGrid,
+                  sampler == Sampler::Certified ? 1 : kAllBetween, [&](int n) {
                     return TuneSettings{sampler, n, pixel_samples, Precision::Double};
                   });
     }

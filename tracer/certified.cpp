@@ -53,6 +53,7 @@ struct Integrator {
   const Finish<double>& finish;
   Terms<double> weight;
   double tolerance;
+  int first_parts;                    ///< along a side of the whole: 2 or 3; later ones are 2
   std::vector<Obstacle> obstacles{};  ///< a stack: each piece's are a range of it
   PanelTerms result{};
   bool seen = false, hidden = false;
@@ -257,13 +258,16 @@ struct Integrator {
   }
 
   void split(const Piece& piece, std::size_t first) {
-    const double half = piece.half / 2;
+    const int parts = piece.half == 1 ? first_parts : 2;
+    const double half = piece.half / parts;
     const std::size_t last = obstacles.size();
-    for (const double v : {-half, half}) {
-      for (const double u : {-half, half}) {
+    for (int row = 0; row < parts; ++row) {
+      for (int column = 0; column < parts; ++column) {
         const std::size_t begin = obstacles.size();
         for (std::size_t i = first; i < last; ++i) obstacles.push_back(obstacles[i]);
-        look({piece.u + u, piece.v + v, half, piece.splits - 1}, begin);
+        look({piece.u + (2 * column + 1 - parts) * half, piece.v + (2 * row + 1 - parts) * half,
+              half, piece.splits - 1},
+             begin);
         obstacles.resize(begin);
       }
     }
@@ -313,14 +317,18 @@ struct Integrator {
 PanelTerms certified_terms(const Plan<double>& plan, const Occluders& occluders, const Panel& panel,
                            const Hit<double>& hit, const V3& eye, const Terms<double>& weight,
                            int n) {
-  Integrator integrator{plan,   occluders,
-                        panel,  hit,
-                        eye,    plan.finishes[std::size_t(hit.object)],
-                        weight, 1 / (double(n) * n)};
+  // The least of 1, 2, 3, 4, 6, 8, 12, 16, ... that is not below n.
+  int splits = 0, finest = 1;
+  while (finest < n) finest *= 2, ++splits;
+  const bool thirds = finest >= 4 && finest / 4 * 3 >= n;
+  if (thirds) finest = finest / 4 * 3;
+  Integrator integrator{plan,          occluders,
+                        panel,         hit,
+                        eye,           plan.finishes[std::size_t(hit.object)],
+                        weight,        1 / (double(finest) * finest),
+                        thirds ? 3 : 2};
   if (plan.shadows) integrator.collect();
-  int splits = 0;
-  while ((1 << splits) < n) ++splits;
-  integrator.look({0, 0, 1, splits}, 0);
+  integrator.look({0, 0, 1, thirds ? splits - 1 : splits}, 0);
   PanelTerms& result = integrator.result;
   if (integrator.seen) result.flags |= integrator.hidden ? kPenumbra : kLit;
   if (!integrator.seen && integrator.hidden) result.flags |= kUmbra;

@@ -34,8 +34,8 @@ struct PanelTerms {
 };
 
 /// Splits the rectangle until every piece provably sees past all objects, or one of them provably
-/// covers it (shaft.h, silhouette.h); at most down to 1/n of its sides, n rounded up to a power of
-/// two, and further only while a sphere looks smaller than the piece. Pieces in view are integrated
+/// covers it (shaft.h, silhouette.h); at most down to 1/n of its sides, n rounded up to 2^k or
+/// 3 * 2^k, and further only while a sphere looks smaller than the piece. Pieces in view are integrated
 /// by Gauss-Legendre quadrature of 1, 2 or 3 points a side, as few as keep quadrature_bound()
 /// within 1/20 n^(-3/2), and else split as well. What is undecided in the end counts with the part
 /// of it that is in view, where one sphere, box or plane is in the way, or by a ray to its centre;

@@ -147,6 +147,20 @@ TEST(Certified, KeepsItsBoundOnAWholeSceneAndConverges) {
   }
 }
 
+TEST(Certified, SplitsIntoThirdsFirstForNumbersInBetween) {
+  const Scene scene = stage();
+  const auto error = [&, truth = render(scene, certified(64)).whole](int n) {
+    double squares = 0;
+    const Picture picture = render(scene, certified(n)).whole;
+    for (std::size_t i = 0; i < truth.pixels.size(); ++i)
+      squares += std::pow(picture.pixels[i].x - truth.pixels[i].x, 2);
+    return squares;
+  };
+  EXPECT_LT(error(6), error(4));
+  EXPECT_GT(error(6), error(8));
+  EXPECT_EQ(error(5), error(6)) << "the next number that there is";
+}
+
 TEST(Certified, TracesRaysThatGrowSlowerThanN) {
   Scene scene = stage();
   scene.width = 24, scene.height = 18;
