@@ -44,7 +44,7 @@ void add_series(CostTopic& topic, std::vector<CostJob>& jobs, const Scene& scene
     const TuneSettings settings = setting(n);
     topic.series.back().points.push_back({double(n), words_of(n), {}, {}});
     jobs.push_back({series, topic.series.back().points.size() - 1,
-                    [&scene, settings] { return render(scene, settings, 1).whole; }});
+                    [&scene, settings] { return render(scene, settings, 1, true).whole; }});
   }
 }
 

@@ -42,7 +42,7 @@ struct Tuner {
     Measured measured;
     for (int repeat = 0; repeat < 3 && (repeat == 0 || least < kWorthRepeating); ++repeat) {
       const double start = cpu_seconds();
-      measured.rendering = render(scene, settings, options.threads);
+      measured.rendering = render(scene, settings, options.threads, true);
       least = std::min(least, cpu_seconds() - start);
     }
     measured.seconds = least;
@@ -137,13 +137,15 @@ std::string words(const TuneSettings& s) {
   return text + std::string(precision_name(s.precision));
 }
 
-Rendering render(const Scene& scene, const TuneSettings& settings, int threads) {
+Rendering render(const Scene& scene, const TuneSettings& settings, int threads, bool picture_only) {
   Scene changed = scene;
   changed.samples = settings.pixel_samples;
   return render(changed, {.precision = settings.precision,
                           .threads = threads,
                           .sampler = settings.sampler,
-                          .area_samples = settings.area_samples});
+                          .area_samples = settings.area_samples,
+                          .layers = !picture_only,
+                          .edges = !picture_only});
 }
 
 Tuned tune(const Scene& scene, const TuneOptions& options) {

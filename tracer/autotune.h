@@ -20,7 +20,9 @@ struct TuneSettings {
 /// "certified n = 8, 2 x 2 samples a pixel, double".
 std::string words(const TuneSettings& settings);
 
-Rendering render(const Scene& scene, const TuneSettings& settings, int threads);
+/// `picture_only`: without layers, signatures and flags, as cheap as it gets.
+Rendering render(const Scene& scene, const TuneSettings& settings, int threads,
+                 bool picture_only = false);
 
 /// One setting that was measured.
 struct Tried {
