@@ -5,14 +5,17 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <stdexcept>
 
 #include "reference/stored_images.h"
 #include "reports/write_html.h"
 #include "scene/load.h"
+#include "test_paths.h"
 #include "tests/reports/sample_study.h"
 
 namespace litmus {
@@ -35,8 +38,15 @@ addEventListener("unhandledrejection", (e) => window.pageErrors.push(String(e.re
 addEventListener("securitypolicyviolation", (e) => window.pageErrors.push("refused: " + e.blockedURI));
 </script>)";
 
+constexpr const char* kSayWhenReady = R"(<script nonce="litmus">
+addEventListener("load", () => console.log("litmus-seen " + encodeURIComponent(JSON.stringify({
+  errors: window.pageErrors, ready: Number(document.documentElement.dataset.ready),
+  requests: performance.getEntriesByType("resource").map((entry) => entry.name.slice(0, 60)) }))));
+</script>)";
+
 std::string text_of(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
+  if (!in) throw std::runtime_error("cannot read " + file.string());
   std::ostringstream text;
   text << in.rdbuf();
   return text.str();
@@ -45,27 +55,37 @@ std::string text_of(const fs::path& file) {
 bool has_chromium() { return std::system("command -v chromium >/dev/null 2>&1") == 0; }
 
 struct Visit {
-  std::string dom, console;
+  std::string said, console;  ///< what the page said behind kSaid, and all else on the console
 };
 
-/// Opens the page; with `budget`, in milliseconds, lets it run so long by its own clock.
-Visit visit(const std::string& page, int budget) {
+constexpr const char* kSaid = "litmus-seen ";
+
+/// Opens the page until it has said something, or for a minute.
+Visit visit(const std::string& page) {
   std::string name = (fs::temp_directory_path() / "litmus-page-XXXXXX").string();
   const fs::path folder = ::mkdtemp(name.data());
   std::ofstream(folder / "report.html", std::ios::binary) << page;
-  const std::string clock =
-      budget > 0 ? " --virtual-time-budget=" + std::to_string(budget) : std::string();
   const std::string command =
       "cd '" + folder.string() +
-      "' && timeout 240 chromium --headless --no-sandbox --disable-gpu --disable-quic "
+      "' && { timeout 60 chromium --headless --no-sandbox --disable-gpu --disable-quic "
       "--no-first-run --disable-background-networking --disable-component-update --disable-sync "
-      "--enable-logging=stderr --window-size=1280,900 --user-data-dir=profile --dump-dom" +
-      clock + " \"file://$PWD/report.html\" >dom 2>log";
-  EXPECT_EQ(std::system(command.c_str()), 0) << text_of(folder / "log");
-  Visit result{text_of(folder / "dom"), ""};
+      // A page that nobody looks at gets a second's wait for every timer.
+      "--disable-background-timer-throttling --disable-renderer-backgrounding "
+      "--disable-backgrounding-occluded-windows "
+      "--enable-logging=stderr --window-size=1280,900 --user-data-dir=profile "
+      "\"file://$PWD/report.html\" >out 2>log & } && browser=$! && "
+      "while kill -0 $browser 2>kill && ! grep -q '" +
+      kSaid + ".*source:' log; do sleep 0.1; done; kill $browser 2>kill; wait $browser";
+  std::system(command.c_str());
+  Visit result;
   std::istringstream log(text_of(folder / "log"));
-  for (std::string line; std::getline(log, line);)
-    if (line.find("CONSOLE") != std::string::npos) result.console += line + "\n";
+  for (std::string line; std::getline(log, line);) {
+    const std::size_t at = line.find(kSaid);
+    if (at != std::string::npos)
+      result.said = line.substr(at + std::strlen(kSaid));
+    else if (line.find("CONSOLE") != std::string::npos)
+      result.console += line + "\n";
+  }
   fs::remove_all(folder);
   return result;
 }
@@ -82,25 +102,26 @@ std::string unescaped(const std::string& text) {
   return plain;
 }
 
-/// What page_test.js saw on the page; the pixels are x, y.
-json seen_on(std::string page, const json& wanted) {
-  std::string watch = kWatch;
-  watch.replace(watch.find("WANTED"), 6, wanted.dump());
-  page.insert(page.find("<meta charset"), watch);
-  const fs::path script = fs::path(__FILE__).parent_path() / "page_test.js";
-  page.insert(page.rfind("</body>"), "<script nonce=\"litmus\">" + text_of(script) + "</script>");
-  const Visit result = visit(page, 60'000);
-  const std::string mark = "<pre id=\"seen\">";
-  const std::size_t start = result.dom.find(mark);
-  if (start == std::string::npos) {
-    ADD_FAILURE() << "the walk did not end\n" << result.console;
-    return {};
-  }
-  const std::size_t from = start + mark.size();
-  json seen =
-      json::parse(unescaped(result.dom.substr(from, result.dom.find("</pre>", from) - from)));
+std::string watch(const json& wanted) {
+  std::string script = kWatch;
+  return script.replace(script.find("WANTED"), 6, wanted.dump());
+}
+
+/// The JSON that a script on the page says, with what else is on the "console".
+json said_on(const std::string& page) {
+  const Visit result = visit(page);
+  if (result.said.empty()) throw std::runtime_error("the page said nothing\n" + result.console);
+  json seen = json::parse(unescaped(result.said.substr(0, result.said.find('"'))));
   seen["console"] = result.console;
   return seen;
+}
+
+/// What page_test.js saw on the page; the pixels are x, y.
+json seen_on(std::string page, const json& wanted) {
+  page.insert(page.find("<meta charset"), watch(wanted));
+  const fs::path script = fs::path(LITMUS_SOURCE) / "tests/reports/page_test.js";
+  page.insert(page.rfind("</body>"), "<script nonce=\"litmus\">" + text_of(script) + "</script>");
+  return said_on(page);
 }
 
 Study stored_study(const char* name) {
@@ -204,18 +225,27 @@ TEST_F(PageInABrowser, IsWatchedForErrorsRequestsAndForeignElements) {
   EXPECT_EQ(seen["foreign"], 1);
 }
 
-TEST_F(PageInABrowser, AnswersSoon) {
-  Study study = with_provenance();
-  for (int i = 0; i < 33; ++i)
-    add_case(study, {"scene-" + std::to_string(i), "key", "point"}, 160, 120);
-  const std::string page = html(study);
-  const Visit result = visit(page, 0);
-  const std::size_t at = result.dom.find("data-ready=\"");
-  ASSERT_NE(at, std::string::npos) << result.console;
-  const int ready = std::stoi(result.dom.substr(at + 12));
-  RecordProperty("ready_ms", ready);
-  std::printf("%.1f MB, interactive after %d ms\n", double(page.size()) / 1e6, ready);
-  EXPECT_LT(ready, 5000) << "1000 on a machine with nothing else to do";
+TEST_F(PageInABrowser, OfAllScenesIsSmallAndAnswersWithinASecond) {
+  std::vector<Scene> scenes;
+  for (const fs::path& file : canonical_scenes()) scenes.push_back(load_scene(file));
+  StudyOptions options;
+  options.obtain.sources = Sources::Stored;
+  std::string page = html(run_study(scenes, options));
+  EXPECT_LE(page.size(), 5'000'000u);
+  page.insert(page.find("<meta charset"), watch({}));
+  page.insert(page.rfind("</body>"), kSayWhenReady);
+  json seen;
+  int ready = 1'000'000;
+  // The clock of a busy machine runs on: the quickest of a few visits counts.
+  for (int visits = 0; visits < 5 && ready >= 1000; ++visits) {
+    seen = said_on(page);
+    ready = std::min(ready, seen["ready"].get<int>());
+  }
+  std::printf("%.2f MB, interactive after %d ms\n", double(page.size()) / 1e6, ready);
+  EXPECT_LT(ready, 1000);
+  EXPECT_THAT(seen["errors"], IsEmpty());
+  EXPECT_THAT(seen["requests"], IsEmpty());
+  EXPECT_EQ(seen["console"], "");
 }
 
 }  // namespace

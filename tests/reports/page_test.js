@@ -1,5 +1,5 @@
 // page_test.js: what a person does on the page, done by the page itself. Put behind a copy of a
-// report; leaves what it saw as JSON in #seen. page_test.cpp says what that has to be.
+// report; says what it saw as JSON on the console. page_test.cpp says what that has to be.
 
 // A browser without a window makes no frames: drawing goes by the clock instead.
 window.requestAnimationFrame = (draw) => setTimeout(() => draw(performance.now()), 0);
@@ -132,8 +132,5 @@ addEventListener("load", async () => {
   } catch (error) {
     seen.errors.push(String(error.stack));
   }
-  const out = document.createElement("pre");
-  out.id = "seen";
-  out.textContent = encodeURIComponent(JSON.stringify(seen));
-  document.body.append(out);
+  console.log("litmus-seen " + encodeURIComponent(JSON.stringify(seen)));
 });
