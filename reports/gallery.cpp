@@ -67,8 +67,9 @@ std::string attenuation_curves() {
         "<text x=\"{3:.1f}\" y=\"{4:.1f}\" text-anchor=\"end\">{5}</text>"
         "<text x=\"{6:.1f}\" y=\"{7:.1f}\" text-anchor=\"middle\">{8}</text>",
         kLeft, up(i / 4.0), across(kReach), kLeft - 5, up(i / 4.0) + 4, i / 4.0, across(i),
-        kPlotHeight - 14, i);
-  for (const Curve& curve : kCurves) {
+        kPlotHeight - 16, i);
+  double label = 0;  // below the one before, so that two can be told apart
+  for (const Curve& curve : {kCurves[3], kCurves[0], kCurves[1], kCurves[2]}) {
     std::string points;
     double last = 1;
     for (int i = 0; i <= kSteps; ++i) {
@@ -77,13 +78,14 @@ std::string attenuation_curves() {
       points += fmt::format("{:.1f},{:.1f} ", across(x), up(last));
     }
     svg += polyline(points, curve.dashes);
-    svg += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\">{})</text>", across(kReach) + 5,
-                       up(last) + 4, curve.name);
+    label = std::max(label + 12, up(last) + 2);
+    svg += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\">{})</text>", across(kReach) + 5, label,
+                       curve.name);
   }
   return svg + fmt::format(
                    "<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">distance / "
                    "range</text></svg>",
-                   across(kReach / 2), kPlotHeight - 1);
+                   across(kReach / 2), kPlotHeight - 4);
 }
 
 // Slide 20: the samples of an area light with its frame, seen from the side and above.
@@ -100,8 +102,8 @@ std::string area_setup(const AreaLight& light) {
     const auto [x1, y1] = place(to);
     return fmt::format(
         "<line class=\"{}\" x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" "
-        "y2=\"{:.1f}\"/><text x=\"{:.1f}\" y=\"{:.1f}\">{}</text>",
-        name, x0, y0, x1, y1, x1 + 4, y1 + 4, what);
+        "y2=\"{:.1f}\"/><text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\">{}</text>",
+        name, x0, y0, x1, y1, x1 < x0 ? x1 - 4 : x1 + 4, y1 + 4, x1 < x0 ? "end" : "start", what);
   };
   std::string svg = fmt::format(
       "<svg viewBox=\"0 0 {} {}\" class=\"figure\" role=\"img\" "

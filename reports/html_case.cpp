@@ -4,12 +4,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "compare/difference.h"
 #include "compare/verdict.h"
 #include "reports/html_baseline.h"
 #include "reports/page_data.h"
 #include "reports/plain_text.h"
+#include "reports/web_assets.h"
 
 namespace litmus {
 namespace {
@@ -244,38 +246,45 @@ data chip(const Tally& rows, const std::string& reference) {
 
 data case_data(const Study& study, const Case& one, bool open) {
   const auto is_here = [&](const Comparison& row) { return row.scene == one.scene; };
-  data chips{data::type::list}, layers{data::type::list}, warnings{data::type::list};
+  data chips{data::type::list};
   for (const std::string& reference : references_of(study)) {
     const Tally rows = tally(
         study, [&](const Comparison& row) { return is_here(row) && row.reference == reference; });
     if (rows.rows > 0) chips.push_back(chip(rows, reference));
   }
+  data result;
+  result.set("anchor", case_anchor(study, one));
+  result.set("scene", text_data(one.scene));
+  result.set("about", text_data(one.about));
+  result.set("verdict", verdict_of(tally(study, is_here)));
+  result.set("open", flag(open));
+  result.set("chips", chips);
+  return result;
+}
+
+std::string case_html(const Study& study, const Case& one) {
+  data layers{data::type::list}, warnings{data::type::list};
   // The whole picture first, then its parts.
   for (const CaseLayer& layer : one.layers)
     if (layer.light == "all") layers.push_back(layer_data(study, one, layer));
   for (const CaseLayer& layer : one.layers)
     if (layer.light != "all") layers.push_back(layer_data(study, one, layer));
   for (const std::string& warning : one.warnings) warnings.push_back(text_data(warning));
-  const std::string verdict = verdict_of(tally(study, is_here));
   data result;
-  result.set("anchor", case_anchor(study, one));
   result.set("scene_anchor", case_anchor(study, one));
   result.set("width", std::to_string(one.width));
   result.set("height", std::to_string(one.height));
-  result.set("scene", text_data(one.scene));
-  result.set("about", text_data(one.about));
   result.set("file", text_data(one.file));
   result.set("tags", text_data(fmt::format("{}", fmt::join(one.tags, ", "))));
   result.set("has_tags", flag(!one.tags.empty()));
   result.set("size", fmt::format("{} \u00d7 {}", one.width, one.height));
-  result.set("verdict", verdict);
-  result.set("open", flag(open));
-  result.set("chips", chips);
   result.set("layers", layers);
   result.set("warnings", warnings);
   result.set("renderers", renderers_data(one));
   set_list(result, "approvals", approvals_data(study, one));
-  return result;
+  kainjow::mustache::mustache inside{std::string(kCaseTemplate)};
+  if (!inside.is_valid()) throw std::logic_error("case.html: " + inside.error_message());
+  return inside.render(result);
 }
 
 }  // namespace litmus

@@ -30,7 +30,11 @@ std::string layer_anchor(const Study& study, const Case& one, const std::string&
 /// allowed, source, and a sentence for the tooltip.
 kainjow::mustache::data chip(const Tally& rows, const std::string& reference);
 
-/// Everything that the page shows of one scene, folded open or not.
+/// What the page shows of one scene's fold before it is opened.
 kainjow::mustache::data case_data(const Study& study, const Case& one, bool open);
+
+/// What a scene's fold holds: its layers with their pictures and rows, the renderers and their
+/// logs, as HTML in which all text is escaped.
+std::string case_html(const Study& study, const Case& one);
 
 }  // namespace litmus

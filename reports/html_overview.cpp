@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <map>
 
 #include "reports/candidates.h"
@@ -38,6 +39,25 @@ constexpr std::size_t kListedFailures = 10;  // in the page's head; the matrix h
 // The whole picture and all regions say once more what a light's own row says.
 bool repeats_others(const Comparison& row) { return row.region == "all" || row.light == "all"; }
 
+// A field of an address: all but letters and digits as %XX.
+std::string address_field(std::string_view text) {
+  std::string safe;
+  for (const char c : clean_text(text))
+    safe += std::isalnum(static_cast<unsigned char>(c))
+                ? std::string(1, c)
+                : fmt::format("%{:02X}", static_cast<unsigned char>(c));
+  return safe;
+}
+
+// The address at which the viewer shows a row's worst pixel.
+std::string view_address(const Comparison& row) {
+  const std::string view =
+      fmt::format("#view?scene={}&light={}&with={}&show=difference", address_field(row.scene),
+                  address_field(row.light), address_field(row.reference));
+  // The viewer finds a pixel that is not finite by itself.
+  return row.nonfinite > 0 ? view : fmt::format("{}&at={},{}", view, row.max_at[0], row.max_at[1]);
+}
+
 data failure_data(const Study& study, const Comparison& row) {
   data result;
   result.set("scene", text_data(row.scene));
@@ -47,6 +67,7 @@ data failure_data(const Study& study, const Comparison& row) {
   result.set("reason", text_data(row.reason));
   result.set("hint", row.hint.empty() ? flag(false) : text_data(row.hint));
   result.set("anchor", row_anchor(study, row));
+  result.set("view", row.pixels > 0 ? data(view_address(row)) : flag(false));
   return result;
 }
 
@@ -170,6 +191,17 @@ data failures_data(const Study& study) {
   result.set("rows", list);
   result.set("left", left > 0 ? data(counted((long long)left, "light", "lights")) : flag(false));
   return result;
+}
+
+std::string guilty_types(const Study& study) {
+  std::vector<std::string> guilty, innocent;
+  for (const std::string& type : light_types_of(study)) {
+    if (type == "all") continue;
+    const Tally rows = tally(study, [&](const Comparison& row) { return row.light_type == type; });
+    (rows.failed > 0 ? guilty : innocent).push_back(type);
+  }
+  if (guilty.empty() || innocent.empty()) return "";
+  return fmt::format("In {} light only, not in {}.", listed(guilty), listed(innocent));
 }
 
 data broken_data(const Study& study) {

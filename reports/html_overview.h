@@ -27,6 +27,10 @@ kainjow::mustache::data thumbnails_data(const Study& study);
 /// "more"; and "left", how many lights are not listed.
 kainjow::mustache::data failures_data(const Study& study);
 
+/// Which light types disagree and which do not, as a sentence; "" if all or none do. Whole pictures
+/// are left out: they say once more what their lights say.
+std::string guilty_types(const Study& study);
+
 /// The renderers that failed, scene by scene.
 kainjow::mustache::data broken_data(const Study& study);
 

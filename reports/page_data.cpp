@@ -20,7 +20,7 @@ namespace {
 using json = nlohmann::ordered_json;
 
 constexpr int kTopExponent = 15;       // half floats end just below 2^16
-constexpr double kStepsAllowed = 512;  // differences are kept to this part of the tolerance
+constexpr double kStepsAllowed = 256;  // differences are kept to this part of the tolerance
 
 std::string deflated_bytes(std::string_view bytes, int level = 6) {
   uLongf size = compressBound(uLong(bytes.size()));

@@ -4,9 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <future>
 #include <nlohmann/json.hpp>
 
-#include "reports/gallery.h"
+#include "reports/controls.h"
 #include "reports/overview.h"
 #include "reports/page_data.h"
 #include "reports/plain_text.h"
@@ -52,13 +53,27 @@ json packed_term(const TermPicture& term, const Scene& scene) {
           {"data", small.data}};
 }
 
+std::string bytes_of(const std::vector<int>& objects) {  // 0: none
+  std::string bytes;
+  for (const int object : objects) bytes += char(object + 1);
+  return bytes;
+}
+
+std::string bytes_of(const std::vector<Gate>& gates) {
+  std::string bytes;
+  for (const Gate gate : gates) bytes += char(gate);
+  return bytes;
+}
+
 json light_json(const Light& light, const LightExplanation& at, const Scene& scene,
-                const std::vector<TermPicture>& pictures) {
+                const std::vector<TermPicture>& pictures, const StopPicture& stops) {
   json result{{"name", clean_text(light.name)},
               {"type", light_type(light)},
               {"lamps", at.lamps.size()},
               {"diffuse", color(at.light_diffuse)},
               {"specular", color(at.light_specular)},
+              {"gates", deflated(bytes_of(stops.gates))},
+              {"blockers", deflated(bytes_of(stops.blockers))},
               {"terms", json::array()}};
   for (const TermPicture& picture : pictures)
     if (picture.light == light.name) result["terms"].push_back(packed_term(picture, scene));
@@ -75,19 +90,24 @@ Explanation somewhere(const Scene& scene, const std::vector<int>& objects) {
 }  // namespace
 
 std::string terms_json(const Case& one) try {
-  const Scene scene = load_scene(one.file);
+  Scene scene = load_scene(one.file);
+  RenderOptions options;
+  const Control* control = find_control(one.control);
+  if (control != nullptr) control->apply(scene, options);
   if (scene.objects.size() > kMostObjects || !is_what_was_rendered(scene, one)) return "";
   const std::vector<int> objects = objects_seen(scene);
   const Explanation at = somewhere(scene, objects);
   if (!at.hit) return "";
-  std::string seen;
-  for (const int object : objects) seen += char(object + 1);
   json result{{"code", scene.shading == Shading::SampleCode},
+              {"planted", control == nullptr ? "" : std::string(control->about)},
               {"samples", scene.samples},
               {"ambient", color(at.ambient)},
-              {"seen", deflated(seen)},
+              {"seen", deflated(bytes_of(objects))},
+              {"reasons", json::array()},
               {"objects", json::array()},
               {"lights", json::array()}};
+  for (int gate = 0; gate <= int(Gate::Blocked); ++gate)
+    result["reasons"].push_back(gate_reason(Gate(gate)));
   for (const Object& object : scene.objects) {
     const Material& m = scene.materials[std::size_t(object.material)];
     result["objects"].push_back({{"name", clean_text(object.name)},
@@ -97,26 +117,26 @@ std::string terms_json(const Case& one) try {
                                  {"ns", m.shininess}});
   }
   const std::vector<TermPicture> pictures = term_pictures(scene);
+  const std::vector<StopPicture> stops = stop_pictures(scene);
   for (std::size_t k = 0; k < scene.lights.size(); ++k)
-    result["lights"].push_back(light_json(scene.lights[k], at.lights[k], scene, pictures));
+    result["lights"].push_back(
+        light_json(scene.lights[k], at.lights[k], scene, pictures, stops[k]));
   return result.dump();
 } catch (const Refusal&) {
   return "";
 }
 
 std::vector<std::string> explained_cases(const Study& study, std::size_t budget) {
+  std::vector<std::future<std::string>> running;
+  for (const Case& one : study.cases)
+    running.push_back(std::async(std::launch::async, [&one] { return terms_json(one); }));
   std::vector<std::string> result(study.cases.size());
-  const bool full = is_full_run(study);
   for (const Case* one : cases_by_verdict(study)) {
-    const bool showcase =
-        full && one->scene.size() > 2 && one->scene[0] == 'x' && one->scene[2] == '-';
-    const bool failing =
-        tally(study, [&](const Comparison& row) { return row.scene == one->scene; }).failed > 0;
-    if (!showcase && !failing) continue;
-    std::string terms = terms_json(*one);
+    const std::size_t place = std::size_t(one - study.cases.data());
+    std::string terms = running[place].get();
     if (terms.size() > budget) continue;
     budget -= terms.size();
-    result[std::size_t(one - study.cases.data())] = std::move(terms);
+    result[place] = std::move(terms);
   }
   return result;
 }

@@ -8,14 +8,15 @@
 
 namespace litmus {
 
-/// The terms of every light at every pixel's centre (half floats, packed as in page_data.h), the
-/// objects seen, and the colours of materials and lights, as JSON; reports/web/terms.js reads it.
-/// Empty if the scene's file cannot be read any more, or is not what was rendered (a negative
-/// control): numbers that do not belong to the picture would explain nothing.
+/// The terms of every light at every pixel's centre (half floats, packed as in page_data.h), what
+/// stops it there, the objects seen, and the colours of materials and lights, as JSON;
+/// reports/web/terms.js reads it. A planted mistake (Case::control) is in the numbers and named.
+/// Empty if the scene's file cannot be read any more, or is not what was rendered: numbers that do
+/// not belong to the picture would explain nothing.
 std::string terms_json(const Case& one);
 
-/// terms_json for each case in the study's order: for those that fail, and in a full run for the
-/// scenes x1 to x5, as far as `budget` bytes go; empty for the others.
-std::vector<std::string> explained_cases(const Study& study, std::size_t budget = 600'000);
+/// terms_json for each case in the study's order, failing scenes first, as far as `budget` bytes
+/// go; empty for the others.
+std::vector<std::string> explained_cases(const Study& study, std::size_t budget);
 
 }  // namespace litmus

@@ -191,6 +191,7 @@ Study run_study(std::span<const Scene> scenes, const StudyOptions& options) {
                rendering.seconds,
                {},
                own_layers(std::move(rendering))};
+    entry.control = options.control;
     const OurSide side{ours, render_options, probe(ours, render_options)};
     for (const auto& references : obtained)
       compare_with(entry, references[i], side, study.comparisons);

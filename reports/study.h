@@ -9,11 +9,11 @@
 #include <string>
 #include <vector>
 
-#include "reference/candidate.h"
 #include "compare/registration.h"
 #include "compare/triage.h"
-#include "reports/baseline.h"
+#include "reference/candidate.h"
 #include "reference/obtain.h"
+#include "reports/baseline.h"
 #include "scene/picture.h"
 #include "scene/scene.h"
 
@@ -61,7 +61,7 @@ struct CaseLayer {
   Picture ours;
   std::vector<std::uint8_t> edge;  ///< 1 where the pixel is an edge, width * height
   std::vector<Theirs> theirs;
-  std::vector<Theirs> aside;  ///< pictures of Study::informative, which nobody judges
+  std::vector<Theirs> aside;          ///< pictures of Study::informative, which nobody judges
   std::vector<std::uint8_t> flags{};  ///< what the light does there (scene/picture.h); may be empty
 };
 
@@ -80,6 +80,7 @@ struct Case {
   double seconds = 0;  ///< ours, rendering alone
   std::vector<CaseReference> references;
   std::vector<CaseLayer> layers;  ///< ambient, each light, then "all"
+  std::string control{};  ///< the mistake that was put into our side (controls.h); empty: none
 };
 
 /// Everything about a run that may differ between two runs of identical inputs.

@@ -6,6 +6,7 @@
 namespace litmus {
 
 extern const std::string_view kPageTemplate;   ///< page.html, a mustache template
+extern const std::string_view kCaseTemplate;   ///< case.html, what a scene's fold holds
 extern const std::string_view kShellTemplate;  ///< shell.html, of small pages
 extern const std::string_view kPageStyle;      ///< page.css
 extern const std::string_view kPageScript;     ///< all *.js, one after the other

@@ -8,6 +8,7 @@
 #include <kainjow/mustache.hpp>
 #include <stdexcept>
 
+#include "compare/statistics.h"
 #include "compare/verdict.h"
 #include "compare/whole_file.h"
 #include "reports/gallery.h"
@@ -24,6 +25,9 @@
 namespace litmus {
 namespace {
 using kainjow::mustache::data;
+
+// A report stays small enough to be sent by mail; some room is left for what wraps the terms.
+constexpr std::size_t kMostBytes = 4'980'000;
 
 data provenance_data(const Provenance& p) {
   data list{data::type::list};
@@ -62,6 +66,20 @@ data tolerances_data() {
   return list;
 }
 
+data rates_data() {
+  data list{data::type::list};
+  for (const MeasuredRate& rate : measured_rates()) {
+    data one;
+    one.set("what", text_data(rate.what));
+    one.set("rate", fmt::format("{:.1f} %", 100 * rate.rate));
+    one.set("runs", with_commas(rate.runs));
+    one.set("seeds", std::to_string(rate.seeds));
+    one.set("size", fmt::format("{0} \u00d7 {0}", rate.size));
+    list.push_back(one);
+  }
+  return list;
+}
+
 data gallery_data() {
   data figures{data::type::list};
   for (const GalleryFigure& figure : gallery()) {
@@ -92,6 +110,17 @@ std::vector<std::future<std::string>> packed_pictures(const Study& study) {
   return running;
 }
 
+// The equation of every pixel, for as many scenes as there is room for.
+std::string terms_elements(const Study& study, std::size_t room) {
+  const std::vector<std::string> terms = explained_cases(study, room);
+  std::string elements;
+  for (std::size_t i = 0; i < terms.size(); ++i)
+    if (!terms[i].empty())
+      elements += fmt::format("<script type=\"application/json\" id=\"terms-{}\">{}</script>\n",
+                              case_anchor(study, study.cases[i]), script_safe(terms[i]));
+  return elements;
+}
+
 data links_data(const std::vector<PageLink>& beside) {
   data links{data::type::list};
   for (const PageLink& page : beside) {
@@ -120,7 +149,6 @@ data page_data(const Study& study, const std::vector<PageLink>& beside) {
   page.set("any_skipped", flag(all.skipped > 0));
   page.set("beside", links_data(beside));
   std::vector<std::future<std::string>> pictures = packed_pictures(study);
-  const std::vector<std::string> terms = explained_cases(study);
   data tiles{data::type::list}, cases{data::type::list};
   for (const std::string& reference : references_of(study))
     tiles.push_back(reference_tile(study, reference));
@@ -128,11 +156,13 @@ data page_data(const Study& study, const std::vector<PageLink>& beside) {
   int opened = 0;
   for (const Case* one : cases_by_verdict(study)) {
     const Tally rows = tally(study, [&](const Comparison& row) { return row.scene == one->scene; });
-    data shown = case_data(study, *one, rows.failed > 0 && opened++ < kOpened);
+    const bool open = rows.failed > 0 && opened++ < kOpened;
+    data shown = case_data(study, *one, open);
     shown.set("row", matrix_row(study, *one));
     shown.set("pictures", pictures[std::size_t(one - study.cases.data())].get());
-    const std::string& numbers = terms[std::size_t(one - study.cases.data())];
-    shown.set("terms", numbers.empty() ? flag(false) : data(script_safe(numbers)));
+    const std::string inside = case_html(study, *one);
+    shown.set("inside", open ? inside : "");
+    shown.set("folded", open ? flag(false) : data(deflated(inside)));
     cases.push_back(std::move(shown));
   }
   page.set("tiles", tiles);
@@ -143,6 +173,7 @@ data page_data(const Study& study, const std::vector<PageLink>& beside) {
   page.set("failures", failures);
   page.set("baseline", baseline_data(study));
   set_list(page, "slower", slower_data(study));
+  page.set("guilty", guilty_types(study));
   set_list(page, "broken", broken_data(study));
   set_list(page, "skipped_reasons", skipped_data(study));
   data warnings{data::type::list};
@@ -159,6 +190,8 @@ data page_data(const Study& study, const std::vector<PageLink>& beside) {
   page.set("provenance_json", script_safe(provenance_json(study)));
   page.set("took", study.cases.empty() ? flag(false) : took_data(study));
   page.set("tolerances", tolerances_data());
+  page.set("rates", rates_data());
+  page.set("alpha", fmt::format("{:.0f} %", 100 * kAlpha));
   page.set("results", deflated(reproducible_json(study)));
   page.set("style", std::string(kPageStyle));
   page.set("script", std::string(kPageScript));
@@ -170,7 +203,9 @@ data page_data(const Study& study, const std::vector<PageLink>& beside) {
 std::string html(const Study& study, const std::vector<PageLink>& beside) {
   kainjow::mustache::mustache page{std::string(kPageTemplate)};
   if (!page.is_valid()) throw std::logic_error("page.html: " + page.error_message());
-  return page.render(page_data(study, beside));
+  std::string text = page.render(page_data(study, beside));
+  const std::string terms = terms_elements(study, kMostBytes - std::min(kMostBytes, text.size()));
+  return text.insert(text.rfind("</body>"), terms);
 }
 
 void write_html(const Study& study, const std::filesystem::path& file) {

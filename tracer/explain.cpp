@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "scene/refusal.h"
@@ -205,6 +206,17 @@ constexpr Term kTerms[] = {
     {"specular", "S, the factor of ks Is", &LampExplanation::specular, has_specular},
 };
 
+std::vector<LightExplanation> explain_lamps(const Plan<double>& plan, const Hit<double>& hit,
+                                            const Vec3& eye) {
+  std::vector<LightExplanation> lights(plan.sources.size());
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    lights[i].weight = plan.sources[i].weight;
+    for (const Lamp<double>& lamp : plan.sources[i].lamps)
+      lights[i].lamps.push_back(explain_lamp(plan, lamp, hit, eye));
+  }
+  return lights;
+}
+
 }  // namespace
 
 std::string_view gate_reason(Gate gate) {
@@ -262,15 +274,32 @@ std::vector<TermPicture> term_pictures(const Scene& scene) {
     }
   }
   for_each_hit(plan, [&](std::size_t pixel, const Hit<double>& hit, const Vec3& eye) {
-    std::vector<LightExplanation> lights(plan.sources.size());
-    for (std::size_t i = 0; i < lights.size(); ++i) {
-      lights[i].weight = plan.sources[i].weight;
-      for (const Lamp<double>& lamp : plan.sources[i].lamps) {
-        lights[i].lamps.push_back(explain_lamp(plan, lamp, hit, eye));
-      }
-    }
+    const std::vector<LightExplanation> lights = explain_lamps(plan, hit, eye);
     for (std::size_t k = 0; k < wanted.size(); ++k) {
       pictures[k].values[pixel] = float(mean(lights[wanted[k].light], wanted[k].member));
+    }
+  });
+  return pictures;
+}
+
+std::vector<StopPicture> stop_pictures(const Scene& scene) {
+  const Plan<double> plan = lower<double>(scene);
+  const std::size_t count = std::size_t(scene.width) * std::size_t(scene.height);
+  std::vector<StopPicture> pictures;
+  for (const Light& light : scene.lights)
+    pictures.push_back(
+        {light.name, std::vector<Gate>(count, Gate::Open), std::vector<int>(count, -1)});
+  for_each_hit(plan, [&](std::size_t pixel, const Hit<double>& hit, const Vec3& eye) {
+    const std::vector<LightExplanation> lights = explain_lamps(plan, hit, eye);
+    for (std::size_t k = 0; k < lights.size(); ++k) {
+      const std::vector<LampExplanation>& lamps = lights[k].lamps;
+      if (lamps.empty()) continue;
+      const Gate first = lamps.front().gate;
+      if (std::all_of(lamps.begin(), lamps.end(), [&](auto& lamp) { return lamp.gate == first; }))
+        pictures[k].gates[pixel] = first;
+      for (const LampExplanation& lamp : lamps)
+        if (lamp.gate == Gate::Blocked && pictures[k].blockers[pixel] < 0)
+          pictures[k].blockers[pixel] = lamp.blocker;
     }
   });
   return pictures;

@@ -120,6 +120,16 @@ struct TermPicture {
 ///     sum over lights of lamps * visibility * ka Ia + kd Id diffuse + ks Id specular.
 std::vector<TermPicture> term_pictures(const Scene& scene);
 
+/// Why a light adds nothing, or not all, at the centre of every pixel; row by row.
+struct StopPicture {
+  std::string light;
+  std::vector<Gate> gates;    ///< what all of its lamps have in common; Open if nothing
+  std::vector<int> blockers;  ///< object in between for the first blocked lamp; -1: none is
+};
+
+/// One for each light, in the scene's order.
+std::vector<StopPicture> stop_pictures(const Scene& scene);
+
 /// The object seen at the centre of every pixel, as index into Scene::objects; -1 is none.
 std::vector<int> objects_seen(const Scene& scene);
 

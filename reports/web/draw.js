@@ -92,8 +92,8 @@ function paintedDifference(layer, theirs, width, height, kind = "share", grey = 
 async function paintFigures(details) {
   const buttons = [...details.querySelectorAll(".zoom")].filter((b) => b.closest("details.layer").open);
   for (const button of buttons) {
-    if (button.dataset.painted === String(kDark.matches)) continue;
-    button.dataset.painted = String(kDark.matches);
+    if (button.dataset.painting === String(kDark.matches)) continue;
+    button.dataset.painting = String(kDark.matches);
     const { scene, layer, reference, show } = button.dataset;
     const data = await picturesOf(scene), whole = data.layers[layer];
     const theirs = whole.theirs.find((each) => each.reference === reference);
@@ -102,5 +102,6 @@ async function paintFigures(details) {
       : paintedDifference(whole, theirs, data.width, data.height);
     const canvas = button.querySelector("canvas");
     canvas.getContext("2d").drawImage(made, 0, 0);
+    button.dataset.painted = button.dataset.painting;
   }
 }

@@ -1,5 +1,17 @@
 // page.js: the page around the viewer: links, filters, figures, the results to save.
 
+// What a scene's fold holds is packed until somebody opens it.
+const unfolding = new Map();
+function unfold(details) {
+  const packed = $("inside-" + details.id);
+  if (packed && !unfolding.has(details))
+    unfolding.set(details, inflated(packed.textContent).then((bytes) => {
+      details.querySelector(".inside").innerHTML = new TextDecoder().decode(bytes);
+      packed.remove();
+    }));
+  return unfolding.get(details);
+}
+
 // Links open whatever they point into.
 async function reveal() {
   if (location.hash.startsWith("#view?")) {
@@ -7,6 +19,8 @@ async function reveal() {
     return;
   }
   if (viewer.open) viewer.close();
+  const fold = document.querySelector(`details.case[id="${location.hash.match(/^#(s\d+)/)?.[1]}"]`);
+  if (fold) await unfold(fold);
   const target = location.hash && document.getElementById(location.hash.slice(1));
   if (!target) return;
   for (let e = target; e; e = e.parentElement) if (e.tagName === "DETAILS") e.open = true;
@@ -19,7 +33,11 @@ addEventListener("click", (event) => {
 });
 
 // The figures of a scene are painted when it is folded open.
-const paint = (details) => { if (details.open) paintFigures(details); };
+async function paint(details) {
+  if (!details.open) return;
+  await unfold(details);
+  await paintFigures(details);
+}
 document.addEventListener("toggle", (event) => {
   const details = event.target.closest("details.case");
   if (details && event.target.matches("details.case, details.layer")) paint(details);

@@ -9,8 +9,11 @@ function termsOf(anchor) {
   const promise = !element ? Promise.resolve(null) : (async () => {
     const raw = JSON.parse(element.textContent);
     raw.seen = await inflated(raw.seen);
-    for (const light of raw.lights)
+    for (const light of raw.lights) {
+      light.gates = await inflated(light.gates);
+      light.blockers = await inflated(light.blockers);
       for (const term of light.terms) term.values = await unpacked(term);
+    }
     return raw;
   })();
   explained.set(anchor, promise);
@@ -30,6 +33,14 @@ function element(name, text, kind = "") {
   made.textContent = text;
   if (kind) made.className = kind;
   return made;
+}
+
+// Why a light adds nothing, or not all: "in shadow: ball is in between".
+function stopOf(terms, light, at) {
+  const gate = light.gates[at], blocker = terms.objects[light.blockers[at] - 1];
+  if (gate && terms.reasons[gate] !== "something is in between") return terms.reasons[gate];
+  if (!gate && !blocker) return "";
+  return `${gate ? "in shadow" : "partly in shadow"}: ${blocker ? blocker.name : "something"} is in between`;
 }
 
 // What one light adds, as lines: its terms, then the two products.
@@ -58,11 +69,14 @@ function equationAt(terms, layer, at) {
   for (const light of terms.lights) {
     if (!["all", light.name].includes(layer.light)) continue;
     const said = lightLines(light, object, at);
-    lines.push(element("h4", `${light.name}, ${light.type}${light.lamps > 1 ? `, mean of ${light.lamps} lamps` : ""}`),
-               element("p", said.terms, "dim"), ...said.sums.map((text) => element("p", text, "sum")));
+    const stop = stopOf(terms, light, at);
+    lines.push(element("h4", `${light.name}${light.name === light.type ? "" : `, ${light.type}`}${light.lamps > 1 ? `, mean of ${light.lamps} lamps` : ""}`),
+               element("p", said.terms, "dim"), ...(stop ? [element("p", stop, "stop")] : []),
+               ...said.sums.map((text) => element("p", text, "sum")));
     sum = plus(sum, said.color);
   }
   lines.push(element("p", `sum ${rgb(sum)}${terms.samples > 1 ? " at the centre; the pixel is a mean" : ""}`, "sum"));
+  if (terms.planted) lines.push(element("p", `This run has a planted mistake, and so have these numbers: ${terms.planted}.`, "dim"));
   return lines;
 }
 
@@ -71,6 +85,7 @@ async function writeEquation() {
   const { anchor, cursor } = view, terms = await termsOf(anchor);
   if (view.anchor !== anchor || view.cursor !== cursor) return;
   $("equation").hidden = !terms || terms.code;
+  $("equation").dataset.at = [anchor, ...cursor].join();
   if (!$("equation").hidden)
     $("equation-lines").replaceChildren(...equationAt(terms, layerNow(), cursor[1] * view.data.width + cursor[0]));
 }

@@ -12,7 +12,8 @@ const view = {
 const layerNow = () => view.data.layers[view.layer];
 const theirsNow = () => layerNow().theirs[view.reference];
 const titleOf = (layer) => layer.light === "all" ? "whole picture"
-  : layer.light === "ambient" ? "ambient light" : `${layer.light} (${layer.type})`;
+  : layer.light === "ambient" ? "ambient light"
+  : layer.light === layer.type ? layer.light : `${layer.light} (${layer.type})`;
 
 // ---- Where things are on the stage ----------------------------------------------------------
 
@@ -217,11 +218,29 @@ function writeReadout() {
   verdict.className = Number.isNaN(at.largest) || share > 1 ? "bad" : "dim";
   $("command").textContent = `litmus run ${view.data.word} --references ${theirsNow().source || "auto"}\n` +
     `litmus explain ${view.data.word} ${view.cursor.join(" ")}`;
+  writeLights();
   writeEquation();
   $("scan").replaceChildren(scanLine(view.data, layerNow(), theirsNow(), view.cursor, view.column));
   $("scan-title").textContent = view.column ? `Along column ${view.cursor[0]}` : `Along row ${view.cursor[1]}`;
 }
 
+// What each light has at the pixel, of the channel that differs most: whose error is it?
+function writeLights() {
+  const { reference } = theirsNow(), i = view.cursor[1] * view.data.width + view.cursor[0];
+  $("light-rows").replaceChildren(...view.data.layers.flatMap((layer, k) => {
+    const theirs = layer.theirs.find((each) => each.reference === reference);
+    if (!theirs) return [];
+    const size = (c) => Math.abs(theirs.difference[c]);
+    const at = [3 * i, 3 * i + 1, 3 * i + 2].reduce((a, b) => size(b) > size(a) || Number.isNaN(size(b)) ? b : a);
+    const over = !(size(at) <= theirs.allowed[layer.edge[i] ? 1 : 0]);
+    const row = cells("", [layer.ours[at], theirs.values[at], theirs.difference[at]], 3);
+    const choose = Object.assign(document.createElement("button"), { type: "button", className: "plain", textContent: titleOf(layer) });
+    choose.addEventListener("click", () => chooseLayer(k));
+    row.firstChild.append(over ? "✗ " : "", choose);
+    row.className = over ? "bad" : k === view.layer ? "now" : "";
+    return [row];
+  }));
+}
 function writePins() {
   $("pins").hidden = view.pins.length === 0;
   $("pin-rows").replaceChildren(...view.pins.map((pin, i) => {

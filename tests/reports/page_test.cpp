@@ -9,8 +9,10 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <sstream>
 #include <stdexcept>
+#include <thread>
 
 #include "reference/stored_images.h"
 #include "reports/write_html.h"
@@ -67,7 +69,8 @@ Visit visit(const std::string& page) {
   std::ofstream(folder / "report.html", std::ios::binary) << page;
   const std::string command =
       "cd '" + folder.string() +
-      "' && { timeout 60 chromium --headless --no-sandbox --disable-gpu --disable-quic "
+      "' && { timeout 60 chromium --headless --no-sandbox --disable-gpu --disable-dev-shm-usage "
+      "--disable-quic "
       "--no-first-run --disable-background-networking --disable-component-update --disable-sync "
       // A page that nobody looks at gets a second's wait for every timer.
       "--disable-background-timer-throttling --disable-renderer-backgrounding "
@@ -75,7 +78,7 @@ Visit visit(const std::string& page) {
       "--enable-logging=stderr --window-size=1280,900 --user-data-dir=profile "
       "\"file://$PWD/report.html\" >out 2>log & } && browser=$! && "
       "while kill -0 $browser 2>kill && ! grep -q '" +
-      kSaid + ".*source:' log; do sleep 0.1; done; kill $browser 2>kill; wait $browser";
+      kSaid + ".*source:' log; do sleep 0.1; done; { kill $browser; wait $browser; } 2>kill";
   std::system(command.c_str());
   Visit result;
   std::istringstream log(text_of(folder / "log"));
@@ -102,6 +105,13 @@ std::string unescaped(const std::string& text) {
   return plain;
 }
 
+/// How many processes ask for each core just now, at least 1.
+double processes_a_core() {
+  double load = 1;
+  std::ifstream("/proc/loadavg") >> load;
+  return std::max(1.0, load / std::max(1u, std::thread::hardware_concurrency()));
+}
+
 std::string watch(const json& wanted) {
   std::string script = kWatch;
   return script.replace(script.find("WANTED"), 6, wanted.dump());
@@ -124,6 +134,18 @@ json seen_on(std::string page, const json& wanted) {
   return said_on(page);
 }
 
+/// The numbers of a text like "sum (0.1, 2e\u22127, 0)".
+std::vector<double> numbers_in(std::string text) {
+  const std::string minus = "\u2212";
+  for (std::size_t at; (at = text.find(minus)) != std::string::npos;)
+    text.replace(at, minus.size(), "-");
+  const std::regex number("-?[0-9][0-9.]*(e-?[0-9]+)?");
+  std::vector<double> found;
+  for (std::sregex_iterator at(text.begin(), text.end(), number), end; at != end; ++at)
+    found.push_back(std::stod(at->str()));
+  return found;
+}
+
 Study stored_study(const char* name) {
   StudyOptions options;
   options.obtain.sources = Sources::Stored;
@@ -133,14 +155,15 @@ Study stored_study(const char* name) {
 
 class PageInABrowser : public ::testing::Test {
   void SetUp() override {
-    if (!has_chromium())
-      GTEST_SKIP() << "SKIPPED: chromium is not installed, so nobody opened the page";
+    if (has_chromium()) return;
+    if (std::getenv("LITMUS_REQUIRE_BROWSER") != nullptr)
+      FAIL() << "LITMUS_REQUIRE_BROWSER is set, but chromium is not installed";
+    GTEST_SKIP() << "SKIPPED: chromium is not installed, so nobody opened the page";
   }
 };
 
 TEST_F(PageInABrowser, ReadsThePixelsOfTheStoredImages) {
-  Study study = stored_study("c2-diffuse-and-specular");
-  study.comparisons[0].verdict = "fail";  // so that the page has its equation
+  const Study study = stored_study("c2-diffuse-and-specular");
   const Case& one = study.cases[0];
   const Scene scene = load_scene(find_scene(one.scene));
   const json wanted{{one.width / 2, one.height / 2}, {one.width / 3, one.height / 3}, {5, 7}};
@@ -155,9 +178,19 @@ TEST_F(PageInABrowser, ReadsThePixelsOfTheStoredImages) {
     EXPECT_THAT(pixel["said"].get<std::string>(),
                 HasSubstr("pixel " + std::to_string(x) + ", " + std::to_string(y)));
     const glm::dvec3 ours = one.layers[k].ours.at(x, y);
-    if (ours.x == ours.y && ours.y == ours.z && ours.x > 0) {
-      EXPECT_NEAR(std::stod(pixel["sum"].get<std::string>().substr(4)), ours.x, 5e-3 * ours.x);
-      ++sums;
+    const std::vector<double> sum = numbers_in(pixel["sum"]);
+    for (std::size_t c = 0; c < 3 && !sum.empty(); ++c) {
+      const double said = sum[sum.size() == 1 ? 0 : c], is = ours[int(c)];
+      EXPECT_NEAR(said, is, 5e-3 * is) << "three digits are shown";
+      sums += is > 0;
+    }
+    // Light by light, the channel that differs most.
+    ASSERT_EQ(pixel["lights"].size(), one.layers.size());
+    for (std::size_t layer = 0; layer < one.layers.size(); ++layer) {
+      const CaseLayer& by_light = one.layers[layer];
+      const glm::dvec3 d = by_light.ours.at(x, y) - by_light.theirs[r].picture.at(x, y);
+      const double most = std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)});
+      EXPECT_NEAR(std::abs(pixel["lights"][layer].get<double>()), most, kHalf * most + 5e-8);
     }
     glm::dvec3 theirs = one.layers[k].theirs[r].picture.at(x, y);
     if (k + 1 < one.layers.size()) {
@@ -208,7 +241,9 @@ TEST_F(PageInABrowser, HasNoErrorAsksNothingAndLeavesHostileTextInert) {
   EXPECT_EQ(seen["console"], "");
   EXPECT_THAT(seen["requests"], IsEmpty());
   EXPECT_EQ(seen["unpainted"], 0);
+  EXPECT_EQ(seen["folded"], 0);
   EXPECT_EQ(seen["alerts"], 0);
+  EXPECT_EQ(seen["looked"], "r2-nan pixel 20, 12 show-difference") << "the worst failure's link";
   EXPECT_EQ(seen["foreign"], 0) << "the page makes no such element itself";
   EXPECT_EQ(seen["rows"], (json{{"all", 7}, {"fail", 2}, {"spotFail", 0}, {"spot", 1}}));
   EXPECT_EQ(seen["columns"], 1);
@@ -242,7 +277,7 @@ TEST_F(PageInABrowser, OfAllScenesIsSmallAndAnswersWithinASecond) {
     ready = std::min(ready, seen["ready"].get<int>());
   }
   std::printf("%.2f MB, interactive after %d ms\n", double(page.size()) / 1e6, ready);
-  EXPECT_LT(ready, 1000);
+  EXPECT_LT(ready, 1000 * processes_a_core()) << "of which so many want each core";
   EXPECT_THAT(seen["errors"], IsEmpty());
   EXPECT_THAT(seen["requests"], IsEmpty());
   EXPECT_EQ(seen["console"], "");

@@ -29,9 +29,8 @@ addEventListener("load", async () => {
     // Fold a scene open and click a picture.
     const scene = document.querySelector("details.case");
     scene.open = true;
-    await until(() => scene.querySelector(".zoom[data-painted]"));
-    await pause();
-    const canvas = scene.querySelector(".zoom canvas");
+    await until(() => scene.querySelector(".zoom[data-painted] canvas"));
+    const canvas = scene.querySelector(".zoom[data-painted] canvas");
     seen.painted = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data.some((v, i) => i % 4 < 3 && v > 0);
     scene.querySelector(".zoom").click();
     await until(() => byId("viewer").open && shown());
@@ -58,9 +57,10 @@ addEventListener("load", async () => {
         await pause();
         for (const at of window.wanted) {
           point("pointermove", at);
-          await pause();
+          await until(() => byId("equation").dataset.at === [view.anchor, ...at].join());
           seen.pixels.push({ layer, reference, at, said: byId("readout-at").textContent, values: values(),
-                             sum: byId("equation").hidden ? "" : byId("equation-lines").lastChild.textContent });
+                             sum: byId("equation").hidden ? "" : byId("equation-lines").lastChild.textContent,
+                             lights: [...byId("light-rows").rows].map((row) => Number(row.cells[3].title)) });
         }
       }
 
@@ -89,7 +89,7 @@ addEventListener("load", async () => {
     key("]");
     key("3");
     key("l");
-    await pause(500);
+    await until(() => location.hash.includes("stops=1"));
     seen.stops = byId("stops").textContent;
     seen.ticks = byId("legend-ticks").children.length;
     seen.plots = document.querySelectorAll("#scan path, #distribution rect").length;
@@ -101,10 +101,21 @@ addEventListener("load", async () => {
     await until(() => !location.hash.startsWith("#view"));
     seen.closed = !byId("viewer").open && !location.hash.startsWith("#view");
     location.hash = seen.address;
-    await until(() => byId("viewer").open);
-    await pause(500);
+    await until(() => byId("viewer").open && view.pins.length);
+    await pause(500);  // an address that is written anew is the same
     seen.restored = location.hash;
     byId("viewer").close();
+
+    // Follow the link of the worst failure.
+    const look = document.querySelector('.alert a[href^="#view"]');
+    if (look) {
+      location.hash = look.hash;
+      await until(() => byId("viewer").open && shown());
+      await pause();
+      seen.looked = [byId("viewer-title").textContent, byId("readout-at").textContent.split(" ·")[0], shown()].join(" ");
+      byId("viewer-close").click();
+      await pause();
+    }
 
     // Filter.
     const rows = () => [...document.querySelectorAll(".matrix tbody tr")].filter((row) => !row.hidden).length;
@@ -123,8 +134,12 @@ addEventListener("load", async () => {
     seen.columns = [...document.querySelectorAll(".matrix thead th[data-reference]")].filter((head) => !head.hidden).length;
 
     // Open every scene, the hostile one too.
-    for (const details of document.querySelectorAll("details")) details.open = true;
-    await pause(1500);
+    const open = () => { for (const details of document.querySelectorAll("details")) details.open = true; };
+    open();
+    await until(() => !document.querySelector('[id^="inside-"]'));
+    open();
+    await until(() => !document.querySelector("details.case .zoom:not([data-painted])"));
+    seen.folded = document.querySelectorAll('[id^="inside-"]').length;
     seen.unpainted = document.querySelectorAll("details.case .zoom:not([data-painted])").length;
     seen.foreign = document.querySelectorAll("img, iframe, [onerror], [onload], [onclick]").length;
     seen.alerts = window.alerts;

@@ -1,12 +1,15 @@
 // write_html_test.cpp: the page is complete, self-contained and inert.
 #include "reports/write_html.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <regex>
 #include <set>
 
+#include "compare/statistics.h"
+#include "reports/html_case.h"
 #include "reports/page_data.h"
 #include "reports/write_json.h"
 #include "tests/reports/sample_study.h"
@@ -36,6 +39,13 @@ std::set<std::string> matches(const std::string& text, const char* pattern) {
   return found;
 }
 
+// What all folds of the page hold.
+std::string folds(const Study& study) {
+  std::string text;
+  for (const Case& one : study.cases) text += case_html(study, one);
+  return text;
+}
+
 TEST(Page, SaysTheVerdictFirst) {
   EXPECT_THAT(between(html(passing_study()), "<h1>", "</h1>"), HasSubstr("Everything agrees"));
   EXPECT_THAT(between(html(mixed_study()), "<h1>", "</h1>"),
@@ -63,6 +73,14 @@ TEST(Page, ListsALightOnceAndAtMostTenOfThem) {
   EXPECT_THAT(alert, HasSubstr("and 3 lights more, in the table below"));
 }
 
+TEST(Page, SaysWhichLightTypesDisagreeAndWhereToLook) {
+  Study study = passing_study();
+  add_case(study, {"r1 failing", "grid", "area", 3e-4});
+  const std::string alert = between(html(study), "<section class=\"alert\"", "</section>");
+  EXPECT_THAT(alert, HasSubstr("In area light only, not in directional, point, spot and ambient."));
+  EXPECT_THAT(alert, HasSubstr("#view?scene=r1%20failing&amp;light=grid&amp;with=povray"));
+}
+
 TEST(Page, HasAMatrixRowForEverySceneAndACellForEveryTypeAndReference) {
   const std::string matrix = between(html(mixed_study()), "<tbody>", "</tbody>");
   EXPECT_EQ(count(matrix, "<tr"), 7u);
@@ -72,18 +90,31 @@ TEST(Page, HasAMatrixRowForEverySceneAndACellForEveryTypeAndReference) {
 }
 
 TEST(Page, ShowsEveryLayerWithItsDifferencePictures) {
-  const std::string page = html(passing_study());
-  EXPECT_EQ(count(page, "<details class=\"layer"), 3u * 3);
-  EXPECT_EQ(count(page, "<figure class=\"difference\">"), 3u * 3 * 2);
-  EXPECT_EQ(count(page, "<figure class=\"\">"), 3u * (3 + 2)) << "ours, and theirs of the whole";
+  const std::string inside = folds(passing_study());
+  EXPECT_EQ(count(inside, "<details class=\"layer"), 3u * 3);
+  EXPECT_EQ(count(inside, "<figure class=\"difference\">"), 3u * 3 * 2);
+  EXPECT_EQ(count(inside, "<figure class=\"\">"), 3u * (3 + 2)) << "ours, and theirs of the whole";
+}
+
+TEST(Page, FoldsAPassAndUnfoldsTheFirstThatFail) {
+  const Study study = mixed_study();
+  const std::string page = html(study);
+  for (const Case& one : study.cases) {
+    const std::string inside = case_html(study, one);
+    const bool fails = one.scene == "r1-failing" || one.scene == "r2-nan";
+    EXPECT_EQ(count(page, inside), fails ? 1u : 0u) << one.scene;
+    EXPECT_EQ(count(page, "\">" + deflated(inside) + "</script>"), fails ? 0u : 1u) << one.scene;
+  }
 }
 
 TEST(Page, HasATargetForEveryLink) {
   const std::string page = html(mixed_study());
   const std::set<std::string> links = matches(page, "href=\"#([^\"]+)\"");
-  const std::set<std::string> targets = matches(page, " id=\"([^\"]+)\"");
+  std::set<std::string> targets = matches(page, " id=\"([^\"]+)\"");
+  targets.merge(matches(folds(mixed_study()), " id=\"([^\"]+)\""));
   EXPECT_GT(links.size(), 7u);
-  for (const std::string& link : links) EXPECT_TRUE(targets.contains(link)) << link;
+  for (const std::string& link : links)
+    EXPECT_TRUE(link.starts_with("view?") || targets.contains(link)) << link;
 }
 
 TEST(Page, AsksNothingOfTheNetwork) {
@@ -106,16 +137,29 @@ TEST(Page, KeepsHostileTextInert) {
       row.verdict = row.reference == "povray" ? "fail" : "skipped";
       row.reason = kHostile;
     }
-  const std::string page = html(study);
-  EXPECT_THAT(page, Not(HasSubstr("<img src=x")));
-  EXPECT_THAT(page, Not(HasSubstr("<script>alert")));
-  const std::size_t own = 3 + study.cases.size();
-  EXPECT_EQ(count(page, "<script"), own)
-      << "results, their provenance, the pictures of each scene, the page's own";
-  EXPECT_EQ(count(page, "</script>"), own);
-  EXPECT_THAT(page, HasSubstr("&lt;img src=x onerror=alert(1)&gt;&quot;"));
-  EXPECT_THAT(page, HasSubstr("{{x}}")) << "text is not taken for a template";
-  EXPECT_THAT(page, HasSubstr("&lt;/script&gt;&lt;script&gt;alert(1)&lt;/script&gt;"));
+  const std::string page = html(study), inside = folds(study);
+  const std::size_t cases = study.cases.size(), open = 3;
+  EXPECT_EQ(count(page, "<script"), 3 + cases + (cases - open))
+      << "results, their provenance, the page's own; pictures of each scene, what is folded";
+  EXPECT_EQ(count(page, "</script>"), count(page, "<script"));
+  EXPECT_EQ(count(inside, "<script"), 0u);
+  for (const std::string& text : {page, inside}) {
+    EXPECT_THAT(text, Not(HasSubstr("<img src=x")));
+    EXPECT_THAT(text, Not(HasSubstr("<script>alert")));
+    EXPECT_THAT(text, HasSubstr("&lt;img src=x onerror=alert(1)&gt;&quot;"));
+    EXPECT_THAT(text, HasSubstr("{{x}}")) << "text is not taken for a template";
+  }
+  EXPECT_THAT(inside, HasSubstr("&lt;/script&gt;&lt;script&gt;alert(1)&lt;/script&gt;"));
+}
+
+TEST(Page, SaysHowOftenTheTestsOfNoisyPicturesAreRight) {
+  const std::string rates =
+      between(html(passing_study()), "<table class=\"numbers rates\"", "</table>");
+  EXPECT_EQ(count(rates, "<tr>"), 1 + measured_rates().size());
+  for (const MeasuredRate& rate : measured_rates()) {
+    EXPECT_THAT(rates, HasSubstr(std::string(rate.what)));
+    EXPECT_THAT(rates, HasSubstr(fmt::format("<td>{:.1f} %</td>", 100 * rate.rate)));
+  }
 }
 
 TEST(Page, CarriesItsResults) {
@@ -136,13 +180,13 @@ TEST(Page, ShowsARendererThatFailedWithItsLog) {
   EXPECT_THAT(between(page, "<h1>", "</h1>"), HasSubstr("A renderer failed"));
   EXPECT_THAT(between(page, "<section class=\"alert\"", "</section>"),
               HasSubstr("POV-Ray: povray exited with 1"));
-  EXPECT_THAT(page, HasSubstr("<pre>Parse Error: no camera</pre>"));
+  EXPECT_THAT(folds(study), HasSubstr("<pre>Parse Error: no camera</pre>"));
 }
 
 TEST(Page, OfPicturesOfDifferentSizeShowsNoDifference) {
   Study study = passing_study();
   study.cases[0].layers[2].theirs[0].picture = Picture(3, 2);
-  EXPECT_EQ(count(html(study), "<figure class=\"difference\">"), 3u * 3 * 2 - 1);
+  EXPECT_EQ(count(folds(study), "<figure class=\"difference\">"), 3u * 3 * 2 - 1);
 }
 
 TEST(Page, OfAnEmptyStudyIsStillAPage) { EXPECT_THAT(html({}), HasSubstr("</html>")); }
@@ -186,7 +230,7 @@ TEST(Page, OffersToApproveWhatMayBeApprovedAndSaysWhyTheRestMayNot) {
   EXPECT_THAT(page,
               HasSubstr("<code>litmus approve r1-failing/povray --reason &apos;...&apos;</code>"));
   EXPECT_THAT(page, HasSubstr("Cannot be approved: r2-nan/povray"));
-  EXPECT_THAT(html(passing_study()), Not(HasSubstr("litmus approve")));
+  EXPECT_THAT(folds(passing_study()), Not(HasSubstr("litmus approve")));
 }
 
 }  // namespace

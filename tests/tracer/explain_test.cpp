@@ -320,6 +320,32 @@ TEST(TermPictures, HoldOnlyWhatEachLightHas) {
                                             "sun:specular"}));
 }
 
+TEST(StopPictures, AgreeWithTheExplanationOfEachPixel) {
+  for (const char* name : {"x5", "r3", "s10"}) {
+    const Scene scene = load_scene(find_scene(name));
+    const std::vector<StopPicture> pictures = stop_pictures(scene);
+    const Explainer explain_at = explainer(scene);
+    std::set<Gate> seen;
+    int blocked = 0;
+    for (int i = 0; i < scene.width * scene.height; i += 37) {
+      const Explanation pixel = explain_at(i % scene.width, i / scene.width);
+      for (std::size_t k = 0; k < pixel.lights.size(); ++k) {
+        const std::vector<LampExplanation>& lamps = pixel.lights[k].lamps;
+        const auto is_blocked = [](const auto& lamp) { return lamp.gate == Gate::Blocked; };
+        const auto first = std::find_if(lamps.begin(), lamps.end(), is_blocked);
+        const Gate gate = pictures[k].gates[std::size_t(i)];
+        ASSERT_EQ(pictures[k].blockers[std::size_t(i)], first == lamps.end() ? -1 : first->blocker);
+        blocked += first != lamps.end();
+        seen.insert(gate);
+        if (gate == Gate::Open) continue;
+        for (const LampExplanation& lamp : lamps) ASSERT_EQ(lamp.gate, gate);
+      }
+    }
+    EXPECT_GT(blocked, 0) << name;
+    EXPECT_TRUE(seen.contains(Gate::Blocked)) << name;
+  }
+}
+
 TEST(TermPictures, AreZeroWhereNothingIsSeen) {
   Scene scene = seen_from_above(9);
   scene.objects.push_back({"ball", Sphere{{0, 0, 0}, 1}, 0, true});
