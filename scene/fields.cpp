@@ -14,7 +14,8 @@ namespace {
 
 constexpr std::string_view kThreeNumbers = "three finite numbers [x, y, z]";
 constexpr std::string_view kDirection = "three finite numbers [x, y, z], not all 0";
-constexpr std::string_view kColor = "a number >= 0 or [r, g, b], each >= 0, linear RGB";
+constexpr std::string_view kColor =
+    "a number >= 0, [r, g, b], each >= 0, linear RGB, or a spectrum's name";
 
 double longest_component(const Vector& v) {
   return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
@@ -196,8 +197,7 @@ Vector Fields::direction(std::string_view key, Vector fallback) const {
 Color Fields::color(std::string_view key, Color fallback) const {
   const Node* node = find(key);
   if (!node) return fallback;
-  if (std::holds_alternative<std::string>(node->value))
-    refuse_value(key, *node, fmt::format("{} (schema 1 knows no spectra)", kColor));
+  if (std::holds_alternative<std::string>(node->value)) return fallback;
   const auto* array = std::get_if<Node::Array>(&node->value);
   const Range range{0, true, kColor};
   if (!array) return Color(checked(key, *node, range));

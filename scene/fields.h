@@ -62,7 +62,8 @@ class Fields {
   /// Three numbers of a length that can be normalised.
   Vector direction(std::string_view key) const;
   Vector direction(std::string_view key, Vector fallback) const;
-  /// A number >= 0, for grey, or [r, g, b], each >= 0.
+  /// A number >= 0, for grey, or [r, g, b], each >= 0. A spectrum's name is left to read_spectra:
+  /// it gives the fallback.
   Color color(std::string_view key, Color fallback) const;
 
   /// The value that belongs to the word, such as {"centres", Placement::Centres}.
@@ -77,12 +78,13 @@ class Fields {
   /// "must be <allowed>, not <value>"
   [[noreturn]] void refuse_value(std::string_view key, const Node& value,
                                  std::string_view allowed) const;
+  /// "must be "a", "b" or "c", not "word"; did you mean ...?"
+  [[noreturn]] void refuse_word(std::string_view key, const std::string& word,
+                                const std::vector<std::string>& words) const;
 
  private:
   const Node& required(std::string_view key, std::string_view allowed) const;
   double checked(std::string_view key, const Node& value, const Range& range) const;
-  [[noreturn]] void refuse_word(std::string_view key, const std::string& word,
-                                const std::vector<std::string>& words) const;
 
   const std::filesystem::path* file_;
   const Node* node_;

@@ -51,6 +51,14 @@ class Hash {
     add(light.diffuse), add(light.specular), add(light.ambient);
   }
 
+  /// In float: the formulas of spectra may differ in the last digits between mathematical
+  /// libraries.
+  void add(const std::vector<double>& bands) {
+    add(std::int64_t(bands.size()));
+    for (const double value : bands) add(double(float(value)));
+  }
+  void add(const BandColors& c) { add(c.ambient), add(c.diffuse), add(c.specular); }
+
   void add(const Material& m) { add(m.ambient), add(m.diffuse), add(m.specular), add(m.shininess); }
   void add(const Sphere& sphere) { add(sphere.center), add(sphere.radius); }
   void add(const Plane& plane) { add(plane.point), add(plane.normal); }
@@ -87,9 +95,31 @@ class Hash {
   std::unique_ptr<XXH3_state_t, Free> state_{XXH3_createState()};
 };
 
+/// A scene without colours of any kind.
+Scene without_colors(Scene scene) {
+  scene.spectra.reset();
+  scene.ambient = Color(0);
+  for (Material& m : scene.materials) m.ambient = m.diffuse = m.specular = Color(0);
+  for (Light& light : scene.lights) light.ambient = light.diffuse = light.specular = Color(0);
+  return scene;
+}
+
+/// Of a spectral scene the bands decide, not the RGB colours that stand in for them.
+std::string spectral_fingerprint(const Scene& scene) {
+  const Spectra& spectra = *scene.spectra;
+  Hash hash;
+  hash.add(fingerprint(without_colors(scene)));
+  hash.add(spectra.ambient);
+  for (const Object& object : scene.objects)
+    hash.add(spectra.materials[std::size_t(object.material)]);
+  hash.add(spectra.lights);
+  return hash.text();
+}
+
 }  // namespace
 
 std::string fingerprint(const Scene& scene) {
+  if (scene.spectra) return spectral_fingerprint(scene);
   Hash hash;
   hash.add(std::int64_t(kLayout));
   for (const int value : {scene.width, scene.height, scene.samples, int(scene.shadows)})

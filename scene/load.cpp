@@ -132,8 +132,8 @@ Scene load_scene(const std::filesystem::path& file) {
   const Node document = read_document(file);
   const Fields root(file, document, "a scene");
   check_schema(root);
-  root.only({"schema", "about", "tags", "ambient", "shadows", "shading", "image", "camera",
-             "material", "object", "light"});
+  root.only({"schema", "about", "tags", "ambient", "shadows", "shading", "bands", "spectra",
+             "image", "camera", "material", "object", "light"});
   Scene scene;
   scene.name = file.stem().string();
   scene.file = file;
@@ -162,6 +162,7 @@ Scene load_scene(const std::filesystem::path& file) {
     read_object(Fields(file, node, "an object"), objects, room, scene);
   for (const Node& node : root.tables("light"))
     scene.lights.push_back(read_named_light(Fields(file, node, "a light"), lights));
+  read_spectra(root, scene);
   return scene;
 }
 

@@ -29,4 +29,9 @@ decltype(Object::shape) read_shape(const Fields& fields, std::int64_t room, std:
 /// Primitives that a shape counts as: a mesh's triangles, else 1.
 std::int64_t primitives(const Object& object);
 
+/// `[spectra]`, `bands`, and every colour that names a spectrum: fills `scene.spectra` and the RGB
+/// colours that stand in, where there is one. `root` is the file, from which `scene` has been read
+/// already.
+void read_spectra(const Fields& root, Scene& scene);
+
 }  // namespace litmus

@@ -126,6 +126,20 @@ struct Camera {
   double height = 1;  ///< orthographic: vertical extent of the picture in scene units
 };
 
+/// The colours of a material or of a light per wavelength: one number a band, each >= 0.
+struct BandColors {
+  std::vector<double> ambient, diffuse, specular;
+};
+
+/// The colours of a scene that names spectra. Its RGB colours then only stand in: those of the
+/// materials in white light (D65), those of the lights on white.
+struct Spectra {
+  int bands = 0;                              ///< equal parts of 380..780 nm (scene/spectrum.h)
+  std::vector<double> ambient;                ///< the scene's part of Ia
+  std::vector<BandColors> materials, lights;  ///< as Scene::materials and Scene::lights
+  std::vector<glm::dvec3> xyz;  ///< CIE 1931 XYZ of a band of value 1, where D65 has Y = 1
+};
+
 /// The slide's equation, or the slide's sample code (they differ: README, "The sample code").
 enum class Shading { Equation, SampleCode };
 
@@ -143,6 +157,7 @@ struct Scene {
   std::vector<Material> materials;
   std::vector<Object> objects;
   std::vector<Light> lights;
+  std::optional<Spectra> spectra;     ///< only if a colour of the scene is a spectrum
   std::vector<std::string> warnings;  ///< what the loader dropped, such as degenerate triangles
 };
 

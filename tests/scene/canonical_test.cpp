@@ -46,7 +46,8 @@ TEST(CanonicalScenes, HaveUniqueIdsAndPictures) {
   }
   for (const char* id : {"a1", "a3", "d1", "d2", "d3", "d4",  "d5", "p1", "p2", "p3", "p4",
                          "p5", "p6", "s1", "s3", "s5", "s10", "r1", "r2", "r3", "r5", "r7",
-                         "c1", "c2", "v3", "v5", "x1", "x2",  "x3", "x4", "x5"})
+                         "c1", "c2", "v3", "v5", "x1", "x2",  "x3", "x4", "x5",
+                         "w1", "w2", "w3", "w4"})
     EXPECT_TRUE(ids.contains(id)) << id;
 }
 

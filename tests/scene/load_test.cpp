@@ -156,7 +156,7 @@ const Spoiled kSpoiled[] = {
     // Materials and colours
     {"ANegativeColour", "diffuse = 0.8", "diffuse = @-0.1", "diffuse", ">= 0"},
     {"ANegativeComponent", "color = [1, 0.9, 0.8]", "color = [1, 0.9, @-0.8]", "color", ">= 0"},
-    {"ASpectrumForAColour", "ambient = 0.1", "ambient = @\"D65\"", "ambient", "[r, g, b]"},
+    {"AnUnknownSpectrum", "ambient = 0.1", "ambient = @\"D66\"", "ambient", "did you mean \"D65\""},
     {"ANegativeShininess", "shininess = 10", "shininess = @-10", "shininess", ">= 0"},
     {"AMaterialWithoutName", "[[material]]\nname = \"matte\"", "@[[material]]", "name", "missing"},
     {"AMaterialNamedTwice", "[[material]]\nname = \"matte\"",
