@@ -45,7 +45,8 @@ bool may_shadow(const Scene& scene) {
 }
 
 void add_light(Effects& effects, const Scene& scene, const Light& light) {
-  if (light.intensity == 0) return;
+  // To the sample code a light of intensity 0 still brings ambient light, where nothing hides it.
+  if (light.intensity == 0 && scene.shading == Shading::Equation) return;
   effects.shadows |= may_shadow(scene);
   if (const Attenuation* attenuation = attenuation_of(light)) {
     effects.linear |= attenuation->linear != 0;

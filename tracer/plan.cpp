@@ -190,7 +190,8 @@ Plan<R> lower(const Scene& scene, const Effects& effects) {
     const R intensity(light.intensity);
     Source<R> source{
         {}, R(1), intensity * Vec<R>(light.diffuse), intensity * Vec<R>(light.specular)};
-    if (light.intensity != 0) source.lamps = lamps_of<R>(light, effects);
+    // The sample code adds ambient light for each light in view, one of intensity 0 included.
+    if (light.intensity != 0 || plan.sample_code) source.lamps = lamps_of<R>(light, effects);
     for (Lamp<R>& lamp : source.lamps) set_effects(lamp, effects);
     source.ball = ball_of(source.lamps);
     if (source.lamps.size() > 1) source.weight = 1 / R(double(source.lamps.size()));

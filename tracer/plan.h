@@ -74,7 +74,7 @@ struct Plan {
   bool idle_shadows = false;  ///< trace shadow rays, although nothing is in shadow
 };
 
-/// Lowers a scene to the scalar R, with those effects and no others. Lights that cannot light
+/// Lowers a scene to the scalar R, with those effects and no others. Lights that cannot add
 /// anything have no lamps.
 template <Real R>
 Plan<R> lower(const Scene& scene, const Effects& effects);

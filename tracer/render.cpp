@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "tracer/area_sampling.h"
+#include "tracer/bands.h"
 #include "tracer/kernel.h"
 #include "tracer/pixels.h"
 
@@ -90,6 +91,7 @@ std::string_view kernel_name(Kernel kernel) {
 }
 
 Rendering render(const Scene& scene, const RenderOptions& options) {
+  if (scene.spectra) return render_bands(scene, options).rendering;
   if (options.sampler != Sampler::Scene || options.area_samples > 0)
     return render_with_sampler(scene, options);
   switch (options.precision) {
@@ -106,6 +108,7 @@ Rendering render(const Scene& scene, const RenderOptions& options) {
 }
 
 Probe probe(const Scene& scene, const RenderOptions& options) {
+  if (scene.spectra) return probe_bands(scene, options);
   const auto plan = std::make_shared<const Plan<double>>(lower<double>(scene));
   return [plan, options](double x, double y) {
     const View<double>& view = plan->view;

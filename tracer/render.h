@@ -61,9 +61,9 @@ struct Rendering {
   double seconds = 0;       ///< wall clock of the pixels alone, without lowering the scene
 };
 
-/// Renders the scene. Identical for any number of threads, any kernel and any effects that hold
-/// what the scene calls for, bit by bit. Throws Refusal for samplers that cannot render it
-/// (area_sampling.h).
+/// Renders the scene, a spectral one in linear sRGB (bands.h). Identical for any number of threads,
+/// any kernel and any effects that hold what the scene calls for, bit by bit. Throws Refusal for
+/// samplers that cannot render it (area_sampling.h).
 Rendering render(const Scene& scene, const RenderOptions& options = {});
 
 /// What each layer shows in a pixel whose centre is at (x, y), in double: x to the right, y down,

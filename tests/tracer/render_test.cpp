@@ -245,6 +245,17 @@ TEST(SampleCode, AddsAmbientOncePerLightThatIsNotOccluded) {
   EXPECT_EQ(render(scene).whole.at(3, 3).x, 0.0);
 }
 
+TEST(SampleCode, AddsAmbientForALightOfIntensityZero) {
+  Scene scene = floor_from_above();
+  scene.shading = Shading::SampleCode;
+  scene.ambient = Color(0.1);
+  scene.lights = {sun({0, 0, -1}), bulb({0, 0, 2})};
+  for (Light& light : scene.lights) light.intensity = 0;
+  EXPECT_NEAR(render(scene).whole.at(3, 3).x, 2 * 0.1, 1e-15);
+  scene.shading = Shading::Equation;
+  EXPECT_NEAR(render(scene).whole.at(3, 3).x, 0.1, 1e-15);
+}
+
 TEST(SampleCode, TakesTheDiffuseColourForTheHighlight) {
   Scene scene = floor_from_above();
   scene.materials[0] = {"mirror", Color(0), Color(0), Color(1), 1};
