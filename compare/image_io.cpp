@@ -84,6 +84,36 @@ void write_parts(const fs::path& temporary, const fs::path& file, const Layers& 
   check(output->close());
 }
 
+// ---- Bands -----------------------------------------------------------------------------------
+
+std::string channel_name(double wavelength) {
+  std::string number = fmt::format("{:.6f}", wavelength);
+  number[number.find('.')] = ',';  // a point would begin another layer
+  return "S0." + number + "nm";
+}
+
+/// Pixel by pixel R, G, B and each band.
+std::vector<float> interleaved(const Picture& picture, std::span<const Picture> bands,
+                               std::size_t count) {
+  std::vector<float> values;
+  values.reserve(picture.pixels.size() * (3 + count));
+  for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
+    for (int c = 0; c < 3; ++c) values.push_back(float(picture.pixels[i][c]));
+    for (std::size_t b = 0; b < count; ++b)
+      values.push_back(float(bands[b / 3].pixels[i][int(b % 3)]));
+  }
+  return values;
+}
+
+void write_one(const fs::path& temporary, const fs::path& file, const OIIO::ImageSpec& spec,
+               const std::vector<float>& values) {
+  auto output = OIIO::ImageOutput::create("openexr");
+  if (!output) refuse(file, "cannot be written: OpenImageIO lacks OpenEXR");
+  if (!output->open(temporary.string(), spec) ||
+      !output->write_image(OIIO::TypeDesc::FLOAT, values.data()) || !output->close())
+    refuse(file, "cannot be written: " + output->geterror());
+}
+
 // ---- Reading ---------------------------------------------------------------------------------
 
 std::unique_ptr<OIIO::ImageInput> open(const fs::path& file) {
@@ -209,6 +239,19 @@ Metadata read_metadata(const fs::path& file) {
 
 void write_picture(const fs::path& file, const Picture& picture, const Metadata& metadata) {
   write_layers(file, {{"all", "all", picture}}, metadata);
+}
+
+void write_bands(const fs::path& file, const Picture& picture, std::span<const Picture> bands,
+                 std::span<const double> wavelengths, const Metadata& metadata) {
+  const std::size_t count = wavelengths.size();
+  OIIO::ImageSpec spec = part_spec({"all", "all", picture}, metadata);
+  spec.nchannels = int(3 + count);
+  spec.channelnames = {"R", "G", "B"};
+  for (const double wavelength : wavelengths) spec.channelnames.push_back(channel_name(wavelength));
+  spec.attribute("spectralLayoutVersion", "1.0");
+  spec.attribute("emissiveUnits", "relative");
+  const std::vector<float> values = interleaved(picture, bands, count);
+  write_whole(file, [&](const fs::path& temporary) { write_one(temporary, file, spec, values); });
 }
 
 Picture read_picture(const fs::path& file) {

@@ -32,6 +32,15 @@ Metadata read_metadata(const std::filesystem::path& file);
 void write_picture(const std::filesystem::path& file, const Picture& picture,
                    const Metadata& metadata = {});
 
+/// One picture and what it is made of per wavelength, as a one-part 32-bit float EXR: R, G and B,
+/// and for each of `wavelengths` (nm) a layer of its own with its middle wavelength for a name, as
+/// the spectral layout of OpenEXR has them (Fichet, Pacanowski and Wilkie, JCGT 10(3), 2021):
+/// "S0.385,000000nm". `bands` holds three neighbouring bands a picture; channels beyond the last
+/// band are left out. Throws Refusal naming the file.
+void write_bands(const std::filesystem::path& file, const Picture& picture,
+                 std::span<const Picture> bands, std::span<const double> wavelengths,
+                 const Metadata& metadata = {});
+
 /// Reads the first three channels (one grey channel is tripled) of a file's first part: EXR, PFM,
 /// HDR as stored, PNG as code value / maximum code value, without any transfer function. Throws
 /// Refusal on a missing or damaged file, on two or no channels, and above kMaximumImageBytes.

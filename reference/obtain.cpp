@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "reference/band_images.h"
 #include "reference/hash.h"
 #include "reference/process.h"
 #include "reference/stored_images.h"
@@ -145,11 +146,15 @@ void render_all(std::vector<Job> jobs, const Driver& driver, const Installation&
   }
 }
 
-void obtain_live(std::span<const Scene> scenes, const Driver& driver, const Installation& installed,
-                 const ObtainOptions& options, std::vector<ObtainedReference>& results) {
+std::vector<ObtainedReference> obtain_live(std::span<const Scene> scenes, const Driver& driver,
+                                           const Installation& installed,
+                                           const ObtainOptions& options) {
+  std::vector<ObtainedReference> results(scenes.size());
   std::vector<Job> missing;
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     auto& result = results[i];
+    result.scene = scenes[i].name;
+    result.reference = driver.name;
     result.version = installed.version;
     try {
       Job job{&scenes[i], &result,
@@ -161,6 +166,7 @@ void obtain_live(std::span<const Scene> scenes, const Driver& driver, const Inst
     }
   }
   render_all(std::move(missing), driver, installed, options);
+  return results;
 }
 
 void obtain_stored(const Scene& scene, const Driver& driver, const fs::path& folder,
@@ -188,21 +194,19 @@ Sources parse_sources(std::string_view word) {
 
 std::vector<ObtainedReference> obtain(std::span<const Scene> scenes, const Driver& driver,
                                       const ObtainOptions& options) {
-  std::vector<ObtainedReference> results(scenes.size());
-  for (std::size_t i = 0; i < scenes.size(); ++i) {
-    results[i].scene = scenes[i].name;
-    results[i].reference = driver.name;
-  }
   const auto installed = options.sources == Sources::Stored ? std::nullopt : driver.find();
   if (installed) {
-    obtain_live(scenes, driver, *installed, options, results);
-    return results;
+    const std::vector<Scene> all = renderable(scenes);
+    return gathered(scenes, obtain_live(all, driver, *installed, options));
   }
+  std::vector<ObtainedReference> results(scenes.size());
   const auto missing =
       fmt::format("{} is not installed: apt-get install {}", driver.title, driver.package);
   const auto folder =
       options.stored_images.empty() ? stored_images_directory() : options.stored_images;
   for (std::size_t i = 0; i < scenes.size(); ++i) {
+    results[i].scene = scenes[i].name;
+    results[i].reference = driver.name;
     if (options.sources == Sources::Live) {
       results[i].failure = missing;
       continue;

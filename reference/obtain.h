@@ -38,7 +38,9 @@ struct ObtainOptions {
 struct ObtainedReference {
   std::string scene;      ///< Scene::name
   std::string reference;  ///< Driver::name
-  Layers layers;          ///< the scene's, in its order; empty unless `source` is set
+  /// The scene's, in its order; of a spectral scene as expected_layers (band_images.h) lists them.
+  /// Empty unless `source` is set.
+  Layers layers;
   /// "live": rendered by this installation, now or in an earlier run of the same versions.
   /// "stored": as shipped. "": none.
   std::string source;

@@ -8,6 +8,7 @@
 
 #include "compare/image_io.h"
 #include "compare/whole_file.h"
+#include "reference/band_images.h"
 #include "reference/hash.h"
 #include "scene/load.h"
 #include "scene/refusal.h"
@@ -97,16 +98,14 @@ void save_stored(const Scene& scene, std::string_view renderer, const StoredRefe
 }
 
 std::string misfit(const Scene& scene, const Layers& layers) {
-  if (layers.size() != scene.lights.size() + 1)
-    return fmt::format("{} layers where the scene has {}", layers.size(), scene.lights.size() + 1);
+  const Layers expected = expected_layers(scene);
+  if (layers.size() != expected.size())
+    return fmt::format("{} layers where the scene has {}", layers.size(), expected.size());
   for (std::size_t i = 0; i < layers.size(); ++i) {
     const auto& [light, type, picture] = layers[i];
-    const std::string expected = i == 0 ? "ambient" : scene.lights[i - 1].name;
-    const std::string expected_type =
-        i == 0 ? "ambient" : std::string(light_type(scene.lights[i - 1]));
-    if (light != expected || type != expected_type)
+    if (light != expected[i].light || type != expected[i].light_type)
       return fmt::format("layer {} is {} ({}) where the scene has {} ({})", i, light, type,
-                         expected, expected_type);
+                         expected[i].light, expected[i].light_type);
     if (picture.width != scene.width || picture.height != scene.height)
       return fmt::format("layer {} is {} x {} pixels where the scene has {} x {}", light,
                          picture.width, picture.height, scene.width, scene.height);

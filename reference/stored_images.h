@@ -42,7 +42,7 @@ std::string stored_version(const Scene& scene, std::string_view renderer,
 void save_stored(const Scene& scene, std::string_view renderer, const StoredReference& images,
                  const std::filesystem::path& folder = stored_images_directory());
 
-/// Empty if these are the scene's layers: "ambient", then each light in order, all of the scene's
+/// Empty if these are the scene's layers (expected_layers of band_images.h), all of the scene's
 /// size; else what differs.
 std::string misfit(const Scene& scene, const Layers& layers);
 

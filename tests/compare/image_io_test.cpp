@@ -116,6 +116,28 @@ TEST_F(ImageFiles, KeepEachLayerWithItsNameTypeAndMetadata) {
   EXPECT_EQ(read_metadata(folder / "x.exr"), metadata);
 }
 
+TEST_F(ImageFiles, KeepALayerForEachBandBesideTheColours) {
+  const Picture colors = noise(5, 3, 1), bands[] = {noise(5, 3, 2), noise(5, 3, 3)};
+  const double wavelengths[] = {430, 530, 630, 730.5};
+  write_bands(folder / "bands.exr", colors, bands, wavelengths, {{"scene", "w2"}});
+  auto input = OIIO::ImageInput::open((folder / "bands.exr").string());
+  ASSERT_TRUE(input);
+  const OIIO::ImageSpec spec = input->spec();
+  ASSERT_EQ(spec.nchannels, 7);
+  EXPECT_EQ(spec.get_string_attribute("spectralLayoutVersion"), "1.0");
+  EXPECT_EQ(read_metadata(folder / "bands.exr")["scene"], "w2");
+  EXPECT_EQ(float_bits(read_picture(folder / "bands.exr")), float_bits(colors));
+  std::vector<float> values(5 * 3 * 7);
+  ASSERT_TRUE(input->read_image(OIIO::TypeDesc::FLOAT, values.data()));
+  const auto value = [&](const char* name) {
+    return values[std::size_t(7 * 8 + spec.channelindex(name))];  // pixel (3, 1)
+  };
+  EXPECT_EQ(value("S0.430,000000nm"), float(bands[0].at(3, 1).r));
+  EXPECT_EQ(value("S0.530,000000nm"), float(bands[0].at(3, 1).g));
+  EXPECT_EQ(value("S0.630,000000nm"), float(bands[0].at(3, 1).b));
+  EXPECT_EQ(value("S0.730,500000nm"), float(bands[1].at(3, 1).r));
+}
+
 TEST_F(ImageFiles, RefuseLayersThatCannotBeToldApart) {
   const Picture picture = noise(3, 2, 1);
   for (const std::string second : {"lamp", ""})
