@@ -20,6 +20,33 @@ std::vector<const Picture*> parts_of(const ObtainedReference& images, std::size_
   return parts;
 }
 
+/// Whether a candidate is asked for the band scenes of a spectral scene, which are RGB scenes to
+/// it: per band there is no rounding to allow for.
+bool takes_bands(const Candidate& candidate) {
+  return candidate.images.empty() && candidate.encoding.bits == 0;
+}
+
+std::vector<ObtainedReference> obtain_all(std::span<const Scene> scenes, const Candidate& candidate,
+                                          const ObtainOptions& options) {
+  if (takes_bands(candidate)) return obtain_candidate(scenes, candidate, options);
+  std::vector<Scene> rgb;
+  for (const Scene& scene : scenes)
+    if (!scene.spectra) rgb.push_back(scene);
+  std::vector<ObtainedReference> obtained = obtain_candidate(rgb, candidate, options), all;
+  std::size_t next = 0;
+  for (const Scene& scene : scenes) {
+    if (!scene.spectra) {
+      all.push_back(std::move(obtained.at(next++)));
+      continue;
+    }
+    ObtainedReference none;
+    none.scene = scene.name, none.reference = candidate.name;
+    none.skipped = "a spectral scene: its bands are for commands that write floats";
+    all.push_back(std::move(none));
+  }
+  return all;
+}
+
 }  // namespace
 
 std::vector<ExtraSource> obtain_extras(std::span<const Scene> scenes, const StudyOptions& options) {
@@ -27,7 +54,7 @@ std::vector<ExtraSource> obtain_extras(std::span<const Scene> scenes, const Stud
   for (const Candidate& candidate : options.candidates) {
     running.push_back(std::async(std::launch::async, [&] {
       return ExtraSource{candidate.name, candidate.encoding, !candidate.expected_to_differ, false,
-                         obtain_candidate(scenes, candidate, options.obtain)};
+                         obtain_all(scenes, candidate, options.obtain)};
     }));
   }
   if (options.native) {

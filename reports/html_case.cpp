@@ -90,6 +90,7 @@ data row_data(const Comparison& row) {
   result.set("reference", text_data(reference_title(row.reference)));
   result.set("source", text_data(row.source));
   result.set("region", text_data(row.region));
+  result.set("bands", row.bands.empty() ? flag(false) : text_data(row.bands));
   result.set("pixels", std::to_string(row.pixels));
   result.set("at", fmt::format("{}, {}", row.max_at[0], row.max_at[1]));
   result.set("over_tolerance", std::to_string(row.over_tolerance));

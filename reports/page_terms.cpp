@@ -91,6 +91,7 @@ Explanation somewhere(const Scene& scene, const std::vector<int>& objects) {
 
 std::string terms_json(const Case& one) try {
   Scene scene = load_scene(one.file);
+  if (scene.spectra) return "";  // its pixels are not a sum of products of RGB colours
   RenderOptions options;
   const Control* control = find_control(one.control);
   if (control != nullptr) control->apply(scene, options);

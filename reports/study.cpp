@@ -10,13 +10,15 @@
 
 #include "compare/regions.h"
 #include "compare/tolerances.h"
+#include "reference/band_images.h"
 #include "reports/alignment.h"
+#include "reports/band_rows.h"
 #include "reports/candidates.h"
 #include "reports/controls.h"
 #include "reports/plain_text.h"
 #include "reports/provenance.h"
-#include "reports/triage_rows.h"
 #include "reports/rows.h"
+#include "reports/triage_rows.h"
 #include "scene/refusal.h"
 #include "tracer/render.h"
 
@@ -71,6 +73,7 @@ struct OurSide {
   const Scene& scene;
   const RenderOptions& options;
   Probe probe;
+  const BandSide* bands = nullptr;  ///< of a spectral scene
 };
 
 /// One sigma of what an encoding's rounding does to the sum of some layers.
@@ -92,12 +95,25 @@ void add_reason(std::vector<Comparison>& rows, const std::string& note) {
   for (Comparison& row : rows) row.reason += (row.reason.empty() ? "" : "; ") + note;
 }
 
+/// Of a spectral scene: with the layers in linear sRGB in place of those per band.
+ObtainedReference in_colors(const Scene& scene, ObtainedReference reference) {
+  reference.layers = colors_of(scene, reference.layers);
+  return reference;
+}
+
 void compare_with(Case& entry, const ObtainedReference& reference, const OurSide& side,
                   std::vector<Comparison>& comparisons, const ExtraSource* extra = nullptr) {
   entry.references.push_back({reference.reference, reference.source, reference.version,
                               reference.command, reference.seconds, reference.failure,
                               reference.log});
   const Encoding encoding = extra ? extra->encoding : Encoding{};
+  const bool spectral = side.bands && !reference.source.empty();
+  const std::vector<Layers> bands =
+      spectral ? band_layers(side.scene, reference.layers) : std::vector<Layers>{};
+  const ObtainedReference colors =
+      spectral ? in_colors(side.scene, reference) : ObtainedReference{};
+  const ObtainedReference& shown = spectral ? colors : reference;
+  if (spectral) entry.references.back().bands = reference.layers;
   const std::string tolerances_of = extra ? kToleranceOfCandidates : reference.reference;
   const std::size_t first_row = comparisons.size();
   for (std::size_t k = 0; k < entry.layers.size(); ++k) {
@@ -107,8 +123,9 @@ void compare_with(Case& entry, const ObtainedReference& reference, const OurSide
       rows.push_back(empty_row(reference));
       layer.theirs.push_back({reference.reference, "", {}});
     } else {
-      const Picture theirs = theirs_beyond_rounding(layer.ours, reference, k, encoding);
-      rows = compare_layer(layer, k, theirs, tolerances_of, side.probe);
+      const Picture theirs = theirs_beyond_rounding(layer.ours, shown, k, encoding);
+      rows = spectral ? compare_bands(layer, k, *side.bands, bands, tolerances_of)
+                      : compare_layer(layer, k, theirs, tolerances_of, side.probe);
       add_reason(rows, rounding_note(reference, k, encoding));
       layer.theirs.push_back({reference.reference, reference.source, theirs});
     }
@@ -120,7 +137,7 @@ void compare_with(Case& entry, const ObtainedReference& reference, const OurSide
   }
   if (reference.source.empty()) return;
   Registration& registration = entry.references.back().registration;
-  registration = align(side.scene, side.options, entry, sum(reference.layers),
+  registration = align(side.scene, side.options, entry, sum(shown.layers),
                        noise_of(encoding, reference.layers.size()));
   blame_the_camera(std::span(comparisons).subspan(first_row), registration);
 }
@@ -153,7 +170,7 @@ void compare_with_extra(Case& entry, const ExtraSource& extra, std::size_t scene
                         std::size_t references, const OurSide& side, Study& study) {
   const ObtainedReference& images = extra.results[scene];
   compare_with(entry, images, side, extra.judged ? study.comparisons : study.informative, &extra);
-  if (!extra.native)
+  if (!extra.native && !side.bands)
     compare_with_references(entry, images, extra, references, side.probe, study.informative);
   if (extra.judged) return;
   for (CaseLayer& layer : entry.layers) {
@@ -179,7 +196,9 @@ Study run_study(std::span<const Scene> scenes, const StudyOptions& options) {
     RenderOptions render_options;
     render_options.threads = options.threads;
     if (control) control->apply(ours, render_options);
-    Rendering rendering = render(ours, render_options);
+    BandRendering bands = render_bands(ours, render_options, KeepBands::Layers);
+    const std::optional<BandSide> spectral = band_side(ours, render_options, bands);
+    Rendering& rendering = bands.rendering;
 
     Case entry{ours.name,
                nearby(ours.file),
@@ -192,7 +211,8 @@ Study run_study(std::span<const Scene> scenes, const StudyOptions& options) {
                {},
                own_layers(std::move(rendering))};
     entry.control = options.control;
-    const OurSide side{ours, render_options, probe(ours, render_options)};
+    const OurSide side{ours, render_options, probe(ours, render_options),
+                       spectral ? &*spectral : nullptr};
     for (const auto& references : obtained)
       compare_with(entry, references[i], side, study.comparisons);
     for (const ExtraSource& extra : extras)

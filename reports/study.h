@@ -48,6 +48,9 @@ struct Comparison {
   std::string hint;  ///< of a failure: a factor or an encoding that would explain it; may be empty
   std::vector<std::string> causes;  ///< one sentence per listed pixel
   std::optional<Triage> triage;     ///< of failing whole pictures (light and region "all") only
+  /// Of a spectral scene the bands where the row is worst, such as "580-610 nm"; its figures are
+  /// of the values per band. Empty for RGB.
+  std::string bands{};
   std::string against = "litmus";   ///< whose picture stands for `ours`: litmus, or a reference
 };
 
@@ -71,6 +74,7 @@ struct CaseReference {
   double seconds = 0;             ///< rendering alone, as the renderer reports it
   std::string failure, log;       ///< log: the end of its text; empty when all is well
   Registration registration{};    ///< of our whole picture and theirs; see `unregistered`
+  Layers bands{};  ///< of a spectral scene what was obtained (reference/band_images.h)
 };
 
 struct Case {
@@ -100,7 +104,7 @@ struct CandidateNote {
 
 struct Study {
   Provenance provenance;
-  std::vector<std::string> warnings;  ///< of tolerances that allow too much
+  std::vector<std::string> warnings;  ///< tolerances that allow too much, scenes left out
   std::vector<Case> cases;
   std::vector<Comparison> comparisons;
   /// Rows for information, which decide nothing: candidates that are expected to differ, the

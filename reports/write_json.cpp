@@ -106,6 +106,7 @@ ordered_json comparison_json(const Comparison& row) {
     json["triage"] = {{"ldr_flip", finite(row.triage->ldr_flip, row.scene + ".ldr_flip")},
                       {"hdr_flip", finite(row.triage->hdr_flip, row.scene + ".hdr_flip")},
                       {"ssim", finite(row.triage->ssim, row.scene + ".ssim")}};
+  json["bands"] = row.bands;
   json["against"] = row.against;
   return json;
 }

@@ -43,6 +43,7 @@ std::string figures(const Comparison& row) {
   for (const auto& metric : kMetrics<Comparison>)
     text += fmt::format("{} {}\n", metric.name, row.*metric.member);
   text += fmt::format("tolerance {}\nmean tolerance {}\n", row.tolerance, row.mean_tolerance);
+  if (!row.bands.empty()) text += fmt::format("worst bands {}\n", row.bands);
   if (!row.hint.empty()) text += row.hint + "\n";
   for (const std::string& cause : row.causes) text += cause + "\n";
   return text;
