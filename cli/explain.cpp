@@ -9,9 +9,11 @@
 #include "cli/commands.h"
 #include "cli/explain_text.h"
 #include "cli/work_folder.h"
-#include "reference/obtain.h"
+#include "reference/band_images.h"
+#include "scene/bands.h"
 #include "scene/load.h"
 #include "scene/refusal.h"
+#include "scene/spectrum.h"
 
 namespace litmus {
 namespace {
@@ -25,8 +27,19 @@ struct Options {
   std::vector<std::string> references;
   std::filesystem::path store = default_store_directory();
   int x = 0, y = 0;
+  double wavelength = 0;  ///< nm; 0: not given
   bool json = false;
 };
+
+// ---- Wavelength ------------------------------------------------------------------------------
+
+constexpr double kGreen = 555;  // nm, where the eye sees most
+
+/// Which picture of three bands shows the wavelength.
+int picture_at(const Spectra& spectra, double wavelength) {
+  const double part = (wavelength - kFirstWavelength) / (kLastWavelength - kFirstWavelength);
+  return std::min(int(part * spectra.bands), spectra.bands - 1) / 3;
+}
 
 // ---- References ------------------------------------------------------------------------------
 
@@ -39,7 +52,9 @@ std::vector<const Driver*> chosen_drivers(const std::vector<std::string>& names)
   return chosen;
 }
 
-ReferencePixel pixel_of(const Driver& driver, const ObtainedReference& obtained, int x, int y) {
+/// `layers` are those of `obtained`, or of a spectral scene those of the bands that are explained.
+ReferencePixel pixel_of(const Driver& driver, const ObtainedReference& obtained,
+                        const Layers& layers, int x, int y) {
   ReferencePixel pixel{driver.name,
                        driver.title,
                        obtained.source,
@@ -47,12 +62,19 @@ ReferencePixel pixel_of(const Driver& driver, const ObtainedReference& obtained,
                        obtained.failure,
                        obtained.skipped,
                        {}};
-  for (const Layer& layer : obtained.layers) pixel.layers.push_back(layer.picture.at(x, y));
+  for (const Layer& layer : layers) pixel.layers.push_back(layer.picture.at(x, y));
   return pixel;
 }
 
-/// All references at the same time, from the store where it has them.
-std::vector<ReferencePixel> reference_pixels(const Scene& scene, const Options& options) {
+Layers explained_layers(const Scene& scene, const Layers& layers, int picture) {
+  if (!scene.spectra || layers.empty()) return layers;
+  return band_layers(scene, layers)[std::size_t(picture)];
+}
+
+/// All references at the same time, from the store where it has them. `picture` counts the three
+/// bands of a spectral scene that are explained.
+std::vector<ReferencePixel> reference_pixels(const Scene& scene, int picture,
+                                             const Options& options) {
   const std::vector<const Driver*> chosen = chosen_drivers(options.references);
   if (chosen.empty()) return {};
   const WorkFolder work;
@@ -72,8 +94,9 @@ std::vector<ReferencePixel> reference_pixels(const Scene& scene, const Options& 
   std::vector<std::future<ReferencePixel>> running;
   for (const Driver* driver : chosen) {
     running.push_back(std::async(std::launch::async, [&, driver] {
-      return pixel_of(*driver, obtain({&scene, 1}, *driver, obtain_options).front(), options.x,
-                      options.y);
+      const ObtainedReference obtained = obtain({&scene, 1}, *driver, obtain_options).front();
+      return pixel_of(*driver, obtained, explained_layers(scene, obtained.layers, picture),
+                      options.x, options.y);
     }));
   }
   std::vector<ReferencePixel> pixels;
@@ -179,10 +202,20 @@ void check_light(const Scene& scene, const std::string& name) {
 }
 
 int run(const Options& options) {
-  const Scene scene = load_scene(find_scene(options.scene));
-  check_light(scene, options.light);
+  const Scene loaded = load_scene(find_scene(options.scene));
+  check_light(loaded, options.light);
+  if (!loaded.spectra && options.wavelength > 0)
+    throw Refusal(fmt::format("--wavelength: {} names no spectrum", loaded.name));
+  int picture = 0;
+  Scene scene = loaded;
+  if (loaded.spectra) {
+    picture = picture_at(*loaded.spectra, options.wavelength > 0 ? options.wavelength : kGreen);
+    scene = band_scenes(loaded)[std::size_t(picture)];
+    fmt::print(stderr, "note: {} has spectra: r, g and b are the bands of {} (--wavelength)\n",
+               loaded.name, band_range(*loaded.spectra, picture));
+  }
   const Explanation pixel = explain(scene, options.x, options.y);
-  const std::vector<ReferencePixel> references = reference_pixels(scene, options);
+  const std::vector<ReferencePixel> references = reference_pixels(loaded, picture, options);
   if (options.json) {
     std::cout << json_of(scene, pixel, references, options.light).dump(2) << '\n';
   } else {
@@ -206,6 +239,11 @@ void add_explain(Program& program) {
   command.option("y", options->y, "Row, 0 at the top").required();
   command.option("--light", options->light,
                  "Only one light by its name, or \"ambient\"; default: all and their sum");
+  command
+      .option("--wavelength", options->wavelength,
+              "Of a spectral scene: explain the three bands around this many nm, as r, g and b "
+              "(555)")
+      .between(kFirstWavelength, kLastWavelength);
   command
       .option("--reference", options->references,
               "povray, blender or none; default: both references")

@@ -6,6 +6,7 @@
 #include "cli/commands.h"
 #include "compare/whole_file.h"
 #include "exporters/exporters.h"
+#include "scene/bands.h"
 #include "scene/load.h"
 
 namespace litmus {
@@ -17,20 +18,30 @@ struct Options {
   bool native = false;
 };
 
+void write(const Options& options, const Exporter& exporter, const Scene& scene) {
+  std::ostringstream text;
+  (options.native ? exporter.write_native : exporter.write)(scene, text);
+  const auto file =
+      options.output / (scene.name + (options.native ? "-native" : "") + exporter.extension);
+  std::filesystem::create_directories(options.output);
+  write_whole(file, text.str());
+  fmt::print("{}\n", file.string());
+}
+
 int run(const Options& options) {
   const Scene scene = load_scene(find_scene(options.scene));
   const Exporter* exporter = find_exporter(options.to);
-  std::ostringstream text;
-  (options.native ? exporter->write_native : exporter->write)(scene, text);
-  const auto file =
-      options.output / (scene.name + (options.native ? "-native" : "") + exporter->extension);
-  std::filesystem::create_directories(options.output);
-  write_whole(file, text.str());
   if (!options.native) {
     for (const std::string& caveat : exporter->caveats(scene))
       fmt::print(stderr, "note: {}\n", caveat);
   }
-  fmt::print("{}\n", file.string());
+  if (!scene.spectra) {
+    write(options, *exporter, scene);
+    return kPass;
+  }
+  fmt::print(stderr, "note: {} has spectra: each file has three of its {} wavelength bands\n",
+             scene.name, scene.spectra->bands);
+  for (const Scene& three : band_scenes(scene)) write(options, *exporter, three);
   return kPass;
 }
 

@@ -7,6 +7,7 @@
 
 #include "cli/commands.h"
 #include "scene/load.h"
+#include "scene/observer.h"
 
 namespace litmus {
 namespace {
@@ -43,7 +44,13 @@ void print_table(const std::vector<Scene>& scenes) {
 int run(bool json, const std::string& tag) {
   std::vector<Scene> scenes;
   for (const auto& file : canonical_scenes()) {
-    Scene scene = load_scene(file);
+    Scene scene;
+    try {
+      scene = load_scene(file);
+    } catch (const MissingData& missing) {
+      std::cerr << "warning: left out: " << missing.what() << '\n';
+      continue;
+    }
     const bool wanted =
         tag.empty() || std::find(scene.tags.begin(), scene.tags.end(), tag) != scene.tags.end();
     if (wanted) scenes.push_back(std::move(scene));

@@ -4,7 +4,7 @@
 #include "cli/commands.h"
 #include "cli/work_folder.h"
 #include "compare/image_io.h"
-#include "reference/obtain.h"
+#include "reference/band_images.h"
 #include "scene/load.h"
 
 namespace litmus {
@@ -28,7 +28,7 @@ int run(const Options& options) {
     fmt::print(stderr, "litmus: {}\n{}\n", result.failure, result.log);
     return kRendererFailed;
   }
-  write_layers(options.output, result.layers,
+  write_layers(options.output, colors_of(scene, result.layers),
                {{"litmus:renderer", result.reference + " " + result.version}});
   fmt::print(stderr, "{}: {} layers by {} {}, {:.2f} s of rendering\n", options.output.string(),
              result.layers.size(), result.reference, result.version, result.seconds);

@@ -7,10 +7,12 @@
 #include "cli/commands.h"
 #include "compare/image_io.h"
 #include "compare/whole_file.h"
+#include "scene/bands.h"
 #include "scene/load.h"
 #include "scene/refusal.h"
 #include "tracer/area_sampling.h"
 #include "tracer/autotune.h"
+#include "tracer/bands.h"
 #include "tracer/explain.h"
 #include "tracer/kernel.h"
 #include "tracer/render.h"
@@ -20,7 +22,7 @@ namespace {
 
 struct Options {
   std::string scene, light;
-  std::filesystem::path output, bound;
+  std::filesystem::path output, bound, spectral;
   std::string precision = "double", sampler = "scene", kernel = "auto", effects = "needed";
   int threads = 0, width = 0, height = 0, area_samples = 0;
   bool terms = false, stats = false;
@@ -171,6 +173,8 @@ Metadata term_metadata(const Scene& scene) {
         text(light.intensity * (equation ? light.specular : light.diffuse));
   }
   metadata["Ia"] = text(ambient);
+  if (scene.spectra)
+    metadata["spectral"] = "ka, kd, ks, Ia, Id and Is are RGB colours in place of spectra";
   metadata["picture"] =
       equation ? "ka Ia + sum over lights of kd Id diffuse + ks Is specular"
                : "sum over lights of lamps * visibility * ka Ia + kd Id diffuse + ks Is specular";
@@ -180,6 +184,8 @@ Metadata term_metadata(const Scene& scene) {
 int run_terms(const Options& options, const Scene& scene) {
   if (!options.light.empty() || options.precision != "double")
     throw Refusal("--terms: writes all lights in double; leave out --light and --precision");
+  if (!options.spectral.empty())
+    throw Refusal("--terms: what is in them does not depend on wavelength; leave out --spectral");
   if (options.output.extension() != ".exr")
     throw Refusal(fmt::format("-o: {}: --terms writes .exr", options.output.string()));
   const Layers layers = term_layers(scene);
@@ -188,6 +194,24 @@ int run_terms(const Options& options, const Scene& scene) {
              scene.height, layers.size(),
              scene.samples > 1 ? ", at the pixels' centres: the picture is a mean of samples" : "");
   return kPass;
+}
+
+/// Writes what each wavelength band shows, and gives the rendering of it all.
+Rendering run_spectral(const Options& options, const Scene& scene, const RenderOptions& how) {
+  if (!scene.spectra)
+    throw Refusal(
+        fmt::format("--spectral: {} names no spectrum, so it has no wavelengths; give a "
+                    "colour of it the name of one (scene/README.md)",
+                    scene.name));
+  if (options.spectral.extension() != ".exr")
+    throw Refusal(fmt::format("--spectral: {}: litmus writes .exr", options.spectral.string()));
+  BandRendering bands = render_bands(scene, how, KeepBands::Whole);
+  std::vector<Picture> pictures;
+  for (Layers& layers : bands.pictures) pictures.push_back(std::move(layers.front().picture));
+  write_bands(options.spectral, bands.rendering.whole, pictures, band_centres(*scene.spectra));
+  fmt::print(stderr, "{}: {} x {}, {} bands, {:.3f} s\n", options.spectral.string(), scene.width,
+             scene.height, scene.spectra->bands, bands.rendering.seconds);
+  return std::move(bands.rendering);
 }
 
 // ---- The cheapest settings that keep an error ------------------------------------------------
@@ -222,9 +246,12 @@ int run_tuned(const Options& options, const Scene& scene) {
 }
 
 int run(const Options& options) {
+  if (options.output.empty() && options.spectral.empty())
+    throw Refusal("-o: give a file to write, .exr or .png");
   Scene scene = load_scene(find_scene(options.scene));
   if (options.width > 0) scene.width = options.width;
   if (options.height > 0) scene.height = options.height;
+  for (const std::string& warning : scene.warnings) fmt::print(stderr, "warning: {}\n", warning);
   if (options.terms) return run_terms(options, scene);
   if (options.max_error > 0) return run_tuned(options, scene);
   RenderOptions settings{.precision = precision_of(options.precision),
@@ -238,8 +265,12 @@ int run(const Options& options) {
   settings.counts = options.stats;
   if (!options.bound.empty() && settings.sampler != Sampler::Certified)
     throw Refusal("--bound: only --sampler certified knows a bound");
-  const Rendering rendering = render(scene, settings);
+  if (!options.bound.empty() && scene.spectra)
+    throw Refusal("--bound: of a spectral scene there is none");
+  const Rendering rendering = options.spectral.empty() ? render(scene, settings)
+                                                       : run_spectral(options, scene, settings);
   if (!options.bound.empty()) write_any(options.bound, rendering.bound);
+  if (options.output.empty()) return kPass;
   if (options.light == "each") {
     write_layers(options.output, rendering.layers);
   } else {
@@ -257,9 +288,11 @@ void add_render(Program& program) {
   auto options = std::make_shared<Options>();
   Subcommand command = program.add("render", "Render a scene with litmus's own tracer");
   command.option("scene", options->scene, "Scene file or canonical name").required();
-  command
-      .option("-o,--output", options->output, "Where to write: .exr (float, linear) or .png (sRGB)")
-      .required();
+  command.option("-o,--output", options->output,
+                 "Where to write: .exr (float, linear) or .png (sRGB)");
+  command.option("--spectral", options->spectral,
+                 "Where to write each wavelength band of a spectral scene: .exr, a layer a band "
+                 "(S0.385,000000nm)");
   command.option("--precision", options->precision, "float, double, long-double or quad")
       .one_of(precision_names())
       .with_default();

@@ -24,6 +24,7 @@
 #include "reports/write_junit.h"
 #include "reports/write_markdown.h"
 #include "scene/load.h"
+#include "scene/observer.h"
 #include "scene/refusal.h"
 
 namespace litmus {
@@ -39,13 +40,22 @@ struct Options {
   bool fresh = false, refresh = false, quiet = false, native = false;
 };
 
-std::vector<Scene> load_all(const std::vector<std::string>& names) {
+/// Of all canonical scenes those that need a package which is not installed are left out, and
+/// `left_out` says so; a scene that is asked for is refused.
+std::vector<Scene> load_all(const std::vector<std::string>& names,
+                            std::vector<std::string>& left_out) {
   std::vector<fs::path> files;
   for (const std::string& name : names) files.push_back(find_scene(name));
   if (names.empty()) files = canonical_scenes();
   std::vector<Scene> scenes;
   for (const fs::path& file : files) {
-    scenes.push_back(load_scene(file));
+    try {
+      scenes.push_back(load_scene(file));
+    } catch (const MissingData& missing) {
+      if (!names.empty()) throw;
+      left_out.push_back(fmt::format("left out: {}", missing.what()));
+      continue;
+    }
     for (const Scene& other : std::span(scenes).first(scenes.size() - 1)) {
       if (other.name == scenes.back().name) {
         throw Refusal(fmt::format("{} and {} have one name: rename one of the files",
@@ -92,6 +102,7 @@ void keep_as_stored(std::span<const Scene> scenes, const Study& study) {
         const CaseLayer& layer = entry.layers[k];
         images.layers.push_back({layer.light, layer.light_type, layer.theirs[r].picture});
       }
+      if (scenes[i].spectra) images.layers = reference.bands;
       save_stored(scenes[i], reference.reference, images);
     }
   }
@@ -201,7 +212,8 @@ int run(const Options& options) {
   const auto start = std::chrono::steady_clock::now();
   const std::string started = utc_now();
   const std::optional<Study> baseline = read_baseline(options);
-  const std::vector<Scene> scenes = load_all(options.scenes);
+  std::vector<std::string> left_out;
+  const std::vector<Scene> scenes = load_all(options.scenes, left_out);
   const Store store = open_store(
       options.store, [](const std::string& line) { fmt::print(stderr, "warning: {}\n", line); });
   const WorkFolder work;
@@ -210,6 +222,7 @@ int run(const Options& options) {
   study.provenance.started = started;
   study.provenance.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  study.warnings.insert(study.warnings.end(), left_out.begin(), left_out.end());
   const std::vector<Migration> migrated =
       migrations(study, scenes, baseline ? &*baseline : nullptr, stored_images_directory());
   if (options.refresh) keep_as_stored(scenes, study);
@@ -238,7 +251,8 @@ int run(const Options& options) {
                fmt::join(missing, ", "));
     return kRendererFailed;
   }
-  return exit_code_of(study);
+  const int code = exit_code_of(study);
+  return code == kPass && !left_out.empty() ? int(kIncomplete) : code;
 }
 
 std::string control_help() {

@@ -6,6 +6,7 @@
 
 #include "compare/difference.h"
 #include "compare/verdict.h"
+#include "reference/band_images.h"
 #include "reference/stored_images.h"
 #include "reports/overview.h"
 
@@ -93,7 +94,7 @@ std::vector<Migration> migrations(const Study& study, std::span<const Scene> sce
         if (!migration.old_version.empty() && migration.old_version != now.version)
           if (StoredLookup stored = load_stored(scenes[i], now.reference, images); stored.images)
             migration.layers =
-                beside_stored(study, one, now.reference, std::move(stored.images->layers));
+                beside_stored(study, one, now.reference, colors_of(scenes[i], stored.images->layers));
       }
       if (migration.layers.empty() && baseline) {
         migration.old_version = version_in(*baseline, one.scene, now.reference);

@@ -57,6 +57,7 @@ struct Geometry {
 Geometry render_geometry(const Scene& scene, RenderOptions options) {
   options.shift_x *= scene.samples, options.shift_y *= scene.samples;
   options.layers = true;
+  if (options.effects) options.effects->ambient = true;  // it says which object is seen
   Scene terms = terms_scene(scene);
   Geometry geometry{render(terms, options), {}};
   if (scene.shading == Shading::Equation) {

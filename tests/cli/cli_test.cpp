@@ -122,6 +122,36 @@ TEST_F(Program, RendersAreaLightsByEverySamplerAndBoundsTheError) {
   EXPECT_FALSE(fs::exists(folder / "x.exr"));
 }
 
+TEST_F(Program, WritesTheBandsOfASpectralSceneAndRefusesThemOfAnother) {
+  const Ended written = litmus("render w1 --spectral bands.exr -o colors.exr");
+  ASSERT_EQ(written.code, 0) << written.text;
+  EXPECT_EQ(litmus("compare bands.exr colors.exr --tolerance 0").code, 0);
+  const Ended refused = litmus("render d1 --spectral none.exr");
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_NE(refused.text.find("names no spectrum"), std::string::npos) << refused.text;
+  EXPECT_EQ(litmus("render w1").code, 2);
+  EXPECT_EQ(litmus("render w1 --spectral bands.png").code, 2);
+  EXPECT_FALSE(fs::exists(folder / "none.exr"));
+}
+
+TEST_F(Program, LeavesOutWhatNeedsAPackageThatIsNotInstalled) {
+  setenv("XDG_DATA_DIRS", "/nonexistent", 1);
+  const Ended listed = litmus("list"), refused = litmus("render w2 -o w2.exr");
+  unsetenv("XDG_DATA_DIRS");
+  EXPECT_EQ(listed.code, 0);
+  EXPECT_NE(listed.text.find("left out"), std::string::npos);
+  EXPECT_NE(listed.text.find("x1-sun"), std::string::npos);
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_NE(refused.text.find("apt-get install colord-data"), std::string::npos) << refused.text;
+}
+
+TEST_F(Program, ExportsASpectralSceneThreeBandsAFile) {
+  ASSERT_EQ(litmus("export w4 --to povray -o out").code, 0);
+  EXPECT_TRUE(fs::exists(folder / "out/w4-metamers-00.pov"));
+  EXPECT_TRUE(fs::exists(folder / "out/w4-metamers-13.pov"));
+  EXPECT_FALSE(fs::exists(folder / "out/w4-metamers.pov"));
+}
+
 TEST_F(Program, RefusesAnOutputItCannotWriteAndLeavesNothing) {
   EXPECT_EQ(litmus("render d1 -o picture.gif").code, 2);
   EXPECT_EQ(litmus("render d1 -o picture.exr --light no-such-light").code, 2);
