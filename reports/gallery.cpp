@@ -6,34 +6,14 @@
 #include <algorithm>
 #include <set>
 
-#include "reports/pictures.h"
-#include "reports/plain_text.h"
+#include "reports/panels.h"
+#include "reports/wavelength_figure.h"
 #include "scene/load.h"
 #include "tracer/lights.h"
 #include "tracer/render.h"
 
 namespace litmus {
 namespace {
-
-constexpr int kWidth = 160;  // of a panel, pixels
-
-Scene small_scene(const std::string& name) {
-  Scene scene = load_scene(find_scene(name));
-  scene.height = scene.height * kWidth / scene.width;
-  scene.width = kWidth;
-  scene.samples = 2;
-  return scene;
-}
-
-Rendering rendered(const Scene& scene, int threads) {
-  RenderOptions options;
-  options.threads = threads;
-  return render(scene, options);
-}
-
-GalleryPanel panel(const std::string& label, const Scene& scene, int threads) {
-  return {label, picture_uri(rendered(scene, threads).whole), ""};
-}
 
 // ---- Drawings -------------------------------------------------------------------------------
 
@@ -131,7 +111,7 @@ std::string area_setup(const AreaLight& light) {
 
 GalleryFigure one_render(const char* slides, const char* title, const char* caption,
                          const char* scene, int threads) {
-  return {slides, title, caption, {panel(scene, small_scene(scene), threads)}};
+  return {slides, title, caption, {panel(scene, rendered(panel_scene(scene), threads).whole)}};
 }
 
 GalleryFigure linear_against_quadratic(int threads) {
@@ -140,10 +120,11 @@ GalleryFigure linear_against_quadratic(int threads) {
                        "The same lamp: linear attenuation 1, then quadratic attenuation 1.",
                        {}};
   for (const bool quadratic : {false, true}) {
-    Scene scene = small_scene("x2");
+    Scene scene = panel_scene("x2");
     Attenuation& attenuation = std::get<PointLight>(scene.lights[0].shape).attenuation;
     attenuation.linear = quadratic ? 0 : 1, attenuation.quadratic = quadratic ? 1 : 0;
-    figure.panels.push_back(panel(quadratic ? "quadratic" : "linear", scene, threads));
+    figure.panels.push_back(
+        panel(quadratic ? "quadratic" : "linear", rendered(scene, threads).whole));
   }
   return figure;
 }
@@ -154,40 +135,11 @@ GalleryFigure exponents(int threads) {
                        "The same spot: a large exponent keeps the light up to the cone's border.",
                        {}};
   for (const int exponent : {3, 30}) {
-    Scene scene = small_scene("x3");
+    Scene scene = panel_scene("x3");
     std::get<SpotLight>(scene.lights[0].shape).exponent = exponent;
-    figure.panels.push_back(panel(fmt::format("exponent = {}", exponent), scene, threads));
+    figure.panels.push_back(
+        panel(fmt::format("exponent = {}", exponent), rendered(scene, threads).whole));
   }
-  return figure;
-}
-
-// |a - b| per channel.
-Picture apart(const Picture& a, const Picture& b) {
-  Picture result(a.width, a.height);
-  for (std::size_t i = 0; i < result.pixels.size(); ++i)
-    for (int c = 0; c < 3; ++c) result.pixels[i][c] = std::abs(a.pixels[i][c] - b.pixels[i][c]);
-  return result;
-}
-
-GalleryFigure equation_against_code(int threads) {
-  GalleryFigure figure{
-      "slide 5",
-      "The equation against the sample code",
-      "Slide 5 gives both, and they differ: the code adds the ambient light once "
-      "for every light in view, colours highlights by the diffuse colour and lets "
-      "them shine where the light is behind the surface. Then light by light: |code - "
-      "equation|, as bright as it is.",
-      {}};
-  Scene scene = small_scene("x5");
-  const Rendering equation = rendered(scene, threads);
-  scene.shading = Shading::SampleCode;
-  const Rendering code = rendered(scene, threads);
-  figure.panels.push_back({"equation", picture_uri(equation.whole), ""});
-  figure.panels.push_back({"sample code", picture_uri(code.whole), ""});
-  for (std::size_t k = 0; k < code.layers.size(); ++k)
-    figure.panels.push_back({fmt::format("difference: {}", clean_text(code.layers[k].light)),
-                             picture_uri(apart(code.layers[k].picture, equation.layers[k].picture)),
-                             ""});
   return figure;
 }
 
@@ -203,9 +155,9 @@ bool is_full_run(const Study& study) {
 }
 
 std::vector<GalleryFigure> gallery(int threads) {
-  const Scene area = small_scene("x4");
+  const Scene area = panel_scene("x4");
   return {
-      equation_against_code(threads),
+      wavelength_figure(threads),
       one_render("slide 7", "Sun light", "Parallel rays, equal everywhere.", "x1", threads),
       one_render("slide 9", "Point light", "Weaker with distance.", "x2", threads),
       {"slide 12",

@@ -19,6 +19,7 @@
 #include "reports/page_data.h"
 #include "reports/page_terms.h"
 #include "reports/plain_text.h"
+#include "reports/sample_code.h"
 #include "reports/web_assets.h"
 #include "reports/write_json.h"
 
@@ -80,9 +81,9 @@ data rates_data() {
   return list;
 }
 
-data gallery_data() {
+data figures_data(const std::vector<GalleryFigure>& list) {
   data figures{data::type::list};
-  for (const GalleryFigure& figure : gallery()) {
+  for (const GalleryFigure& figure : list) {
     data panels{data::type::list};
     for (const GalleryPanel& panel : figure.panels) {
       data one;
@@ -185,7 +186,9 @@ data page_data(const Study& study, const std::vector<PageLink>& beside) {
   page.set("reference_count",
            std::to_string(std::max<std::size_t>(1, references_of(study).size())));
   page.set("cases", std::move(cases));
-  set_list(page, "gallery", is_full_run(study) ? gallery_data() : data(data::type::list));
+  const bool full = is_full_run(study);
+  set_list(page, "gallery", full ? figures_data(gallery()) : data(data::type::list));
+  set_list(page, "readings", full ? figures_data(sample_code_figures()) : data(data::type::list));
   page.set("provenance", provenance_data(study.provenance));
   page.set("provenance_json", script_safe(provenance_json(study)));
   page.set("took", study.cases.empty() ? flag(false) : took_data(study));
