@@ -125,6 +125,7 @@ NewImage picture_of(const Study& results, const Chosen& chosen, const Options& o
     const CaseLayer& layer = entry.layers[k];
     image.images.layers.push_back({layer.light, layer.light_type, layer.theirs.front().picture});
   }
+  if (image.scene.spectra) image.images.layers = reference.bands;
   return image;
 }
 
