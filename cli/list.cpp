@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.h"
+#include "scene/expect.h"
 #include "scene/load.h"
 #include "scene/observer.h"
 
@@ -21,6 +22,12 @@ std::vector<std::string> light_types(const Scene& scene) {
   return types;
 }
 
+std::vector<std::string> oracles_of(const Scene& scene) {
+  std::vector<std::string> names;
+  for (const Oracle oracle : scene.expect) names.emplace_back(name_of(oracle));
+  return names;
+}
+
 void print_json(const std::vector<Scene>& scenes) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const Scene& scene : scenes) {
@@ -28,6 +35,7 @@ void print_json(const std::vector<Scene>& scenes) {
                     {"about", scene.about},
                     {"light_types", light_types(scene)},
                     {"tags", scene.tags},
+                    {"oracles", oracles_of(scene)},
                     {"file", scene.file.string()}});
   }
   std::cout << list.dump(2) << '\n';
@@ -38,6 +46,8 @@ void print_table(const std::vector<Scene>& scenes) {
     std::cout << fmt::format("{:<26} {:<28} {}\n{:<26} {}\n", scene.name,
                              fmt::format("{}", fmt::join(light_types(scene), ", ")),
                              fmt::join(scene.tags, ", "), "", scene.about);
+    if (!scene.expect.empty())
+      std::cout << fmt::format("{:<26} closed forms: {}\n", "", fmt::join(oracles_of(scene), ", "));
   }
 }
 
@@ -65,7 +75,7 @@ void add_list(Program& program) {
   auto json = std::make_shared<bool>(false);
   auto tag = std::make_shared<std::string>();
   Subcommand command = program.add("list", "List the canonical scenes");
-  command.flag("--json", *json, "For machines: name, about, light_types, tags, file");
+  command.flag("--json", *json, "For machines: name, about, light_types, tags, oracles, file");
   command.option("--tag", *tag, "Only scenes with this tag");
   command.footer("Example: litmus list --tag shadow");
   command.on_run([json, tag] { return run(*json, *tag); });

@@ -278,7 +278,7 @@ void add_run(Program& program) {
   command
       .option("--out", options->out, "Folder for report.html, results.json, summary.md, junit.xml")
       .with_default();
-  command.option("--with", options->with, "Only these references (povray,blender)")
+  command.option("--with", options->with, "Only these references (povray,blender,closed-form)")
       .separated_by(',');
   command
       .option("--require", options->require,

@@ -7,6 +7,7 @@
 #include <array>
 #include <limits>
 
+#include "reference/closed_form.h"
 #include "reference/drivers.h"
 #include "reports/plain_text.h"
 
@@ -26,6 +27,7 @@ void add(Tally& result, const Comparison& row) {
   ++(row.verdict == "pass" ? result.passed : result.failed);
   result.live += row.source == "live";
   result.stored += row.source == "stored";
+  result.computed += row.source == "computed";
   result.nonfinite += row.nonfinite;
   if (row.region == "interior") keep_largest(result.interior, row, &Comparison::max_abs);
   if (row.region == "interior") keep_largest(result.mean, row, &Comparison::mean_abs);
@@ -67,7 +69,8 @@ std::string verdict_of(const Tally& tally) {
 std::string source_of(const Tally& tally) {
   if (tally.live > 0 && tally.stored > 0) return "live and stored";
   if (tally.live > 0) return "live";
-  return tally.stored > 0 ? "stored" : "";
+  if (tally.stored > 0) return "stored";
+  return tally.computed > 0 ? "computed" : "";
 }
 
 std::vector<std::string> references_of(const Study& study) {
@@ -143,6 +146,7 @@ std::vector<double> seconds_of(std::span<const Case> cases,
 }
 
 std::string reference_title(const std::string& reference) {
+  if (reference == kClosedForm) return "closed form";
   const Driver* driver = find_driver(reference);
   return driver != nullptr ? driver->title : reference;
 }

@@ -13,7 +13,7 @@ namespace litmus {
 /// Counts and worst figures over some rows. Pointers point into the study.
 struct Tally {
   int rows = 0, passed = 0, failed = 0, skipped = 0;
-  int live = 0, stored = 0;
+  int live = 0, stored = 0, computed = 0;
   std::int64_t nonfinite = 0;
   std::int64_t over = 0,
                explained = 0;  ///< edge pixels over their tolerance; those with a known cause
@@ -29,7 +29,8 @@ Tally tally(const Study& study, const std::function<bool(const Comparison&)>& wa
 /// "fail" before "skipped" before "pass"; "" where there is no row.
 std::string verdict_of(const Tally& tally);
 
-/// "live", "stored", "live and stored", or "" where nothing was compared.
+/// "live", "stored", "live and stored", "computed" where there are closed forms only, or "" where
+/// nothing was compared.
 std::string source_of(const Tally& tally);
 
 /// How far a row is over what it may be: the larger of max_abs / tolerance and mean_abs /

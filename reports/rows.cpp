@@ -17,17 +17,6 @@ namespace {
 constexpr std::size_t kListedPixels = 50;  // causes per row
 constexpr int kUnknownCauses = 5;  // after that many, a row is a failure and needs no more words
 
-Comparison row_of(const Difference& d, Region region, const Tolerance& tolerance) {
-  Comparison row;
-  row.region = name_of(region);
-  row.pixels = d.pixels, row.nonfinite = d.nonfinite, row.over_tolerance = d.over_tolerance;
-  row.bias = d.bias, row.mean_abs = d.mean_abs, row.max_abs = d.max_abs, row.max_at = d.max_at;
-  row.rmse = d.rmse, row.p50 = d.p50, row.p95 = d.p95, row.p99 = d.p99, row.p999 = d.p999;
-  row.max_relative = d.max_relative;
-  row.tolerance = tolerance.max_abs, row.mean_tolerance = tolerance.mean_abs;
-  return row;
-}
-
 std::string cause_of(const Difference::Pixel& pixel, std::optional<double> distance) {
   return distance ? fmt::format(
                         "({}, {}) differs by {:.3g}: a boundary passes within {:.1g} px of the "
@@ -61,7 +50,7 @@ struct Judged {
   std::vector<RegionVerdict> verdicts;
 
   void add(const Difference& d, Region region, const Tolerance& tolerance) {
-    rows.push_back(row_of(d, region, tolerance));
+    rows.push_back(row_of(d, name_of(region), tolerance));
     conclude(region, judge(d, tolerance));
   }
   void conclude(Region region, Verdict verdict) {
@@ -83,6 +72,17 @@ void add_light_regions(Judged& judged, const CaseLayer& layer, const Picture& th
 
 }  // namespace
 
+Comparison row_of(const Difference& d, std::string_view region, const Tolerance& tolerance) {
+  Comparison row;
+  row.region = region;
+  row.pixels = d.pixels, row.nonfinite = d.nonfinite, row.over_tolerance = d.over_tolerance;
+  row.bias = d.bias, row.mean_abs = d.mean_abs, row.max_abs = d.max_abs, row.max_at = d.max_at;
+  row.rmse = d.rmse, row.p50 = d.p50, row.p95 = d.p95, row.p99 = d.p99, row.p999 = d.p999;
+  row.max_relative = d.max_relative;
+  row.tolerance = tolerance.max_abs, row.mean_tolerance = tolerance.mean_abs;
+  return row;
+}
+
 std::vector<Comparison> compare_layer(const CaseLayer& layer, std::size_t layer_index,
                                       const Picture& theirs, const std::string& reference,
                                       const Probe& probe) {
@@ -96,13 +96,13 @@ std::vector<Comparison> compare_layer(const CaseLayer& layer, std::size_t layer_
   add_light_regions(judged, layer, theirs, reference);
 
   const Difference edge = measure(Region::Edge, border);
-  Comparison& edge_row = judged.rows.emplace_back(row_of(edge, Region::Edge, border));
+  Comparison& edge_row = judged.rows.emplace_back(row_of(edge, name_of(Region::Edge), border));
   explain(edge_row, edge, probe, layer_index, theirs);
   const std::int64_t explained = edge_row.explained;
   judged.conclude(Region::Edge, judge(edge, border, explained));
 
   Comparison& all =
-      judged.rows.emplace_back(row_of(measure(Region::All, border), Region::All, border));
+      judged.rows.emplace_back(row_of(measure(Region::All, border), name_of(Region::All), border));
   all.explained = explained;
   set_verdict(all, combine(judged.verdicts));
   if (all.verdict == "pass") return std::move(judged.rows);

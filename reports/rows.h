@@ -4,10 +4,16 @@
 #include <string>
 #include <vector>
 
+#include "compare/difference.h"
+#include "compare/tolerances.h"
 #include "reports/study.h"
 #include "tracer/render.h"
 
 namespace litmus {
+
+/// The figures of a difference as a row without a verdict.
+Comparison row_of(const Difference& difference, std::string_view region,
+                  const Tolerance& tolerance);
 
 /// The rows of a layer, in order: interior, then of a light the regions of kLightRegions that have
 /// pixels, edge, all. Each is judged by itself, by the tolerances of `reference`; "all" passes

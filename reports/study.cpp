@@ -11,13 +11,16 @@
 #include "compare/regions.h"
 #include "compare/tolerances.h"
 #include "reference/band_images.h"
+#include "reference/closed_form.h"
 #include "reports/alignment.h"
 #include "reports/band_rows.h"
 #include "reports/candidates.h"
+#include "reports/closed_form_rows.h"
 #include "reports/controls.h"
 #include "reports/plain_text.h"
 #include "reports/provenance.h"
 #include "reports/rows.h"
+#include "reports/suspects.h"
 #include "reports/triage_rows.h"
 #include "scene/refusal.h"
 #include "tracer/render.h"
@@ -33,10 +36,15 @@ std::vector<const Driver*> chosen_drivers(const std::vector<std::string>& names)
     }
   }
   for (const std::string& name : names) {
-    if (!find_driver(name))
-      throw Refusal(fmt::format("reference \"{}\": there are povray and blender", name));
+    if (!find_driver(name) && name != kClosedForm)
+      throw Refusal(
+          fmt::format("reference \"{}\": there are povray, blender and closed-form", name));
   }
   return chosen;
+}
+
+bool wants_closed_forms(const std::vector<std::string>& names) {
+  return names.empty() || std::find(names.begin(), names.end(), kClosedForm) != names.end();
 }
 
 /// One row of results per scene for each driver, all drivers at the same time.
@@ -215,11 +223,14 @@ Study run_study(std::span<const Scene> scenes, const StudyOptions& options) {
                        spectral ? &*spectral : nullptr};
     for (const auto& references : obtained)
       compare_with(entry, references[i], side, study.comparisons);
+    if (wants_closed_forms(options.references)) compare_with_closed_form(scenes[i], entry, study);
+    compare_references(entry, study);
     for (const ExtraSource& extra : extras)
       compare_with_extra(entry, extra, i, obtained.size(), side, study);
     study.cases.push_back(std::move(entry));
   }
   study.warnings = tolerance_warnings(tolerances(), nearby(tolerances_file()));
+  name_suspects(study);
   add_triage(study);
   study.provenance = provenance_of(drivers);
   for (const Candidate& candidate : options.candidates)

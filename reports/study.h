@@ -24,11 +24,12 @@ inline constexpr int kResultsSchemaVersion = 1;
 /// One row of results.json: one light of one scene against one reference in one region.
 struct Comparison {
   std::string scene;       ///< canonical name or file stem
-  std::string reference;   ///< "povray" | "blender"
-  std::string source;      ///< "live" | "stored" | "" (skipped)
+  std::string reference;   ///< "povray" | "blender" | "closed-form"
+  std::string source;      ///< "live" | "stored" | "computed" (closed forms) | "" (skipped)
   std::string light;       ///< the light's name, "ambient" or "all"
   std::string light_type;  ///< "directional" | "point" | "spot" | "area" | "ambient" | "all"
-  /// "interior" | "edge" | "all", or of a light "lit" | "penumbra" | "umbra" | "highlight"
+  /// "interior" | "edge" | "all", or of a light "lit" | "penumbra" | "umbra" | "highlight"; of a
+  /// closed form that is no picture, its name (scene/expect.h)
   std::string region;
   std::int64_t pixels = 0;
   std::int64_t nonfinite = 0;  ///< pixels that are NaN or infinite in either picture
@@ -47,6 +48,7 @@ struct Comparison {
   std::string reason;  ///< why it failed or was skipped, or what a pass rests on; may be empty
   std::string hint;  ///< of a failure: a factor or an encoding that would explain it; may be empty
   std::vector<std::string> causes;  ///< one sentence per listed pixel
+  std::string suspect;  ///< of a failure: the one source that all others disagree with; may be empty
   std::optional<Triage> triage;     ///< of failing whole pictures (light and region "all") only
   /// Of a spectral scene the bands where the row is worst, such as "580-610 nm"; its figures are
   /// of the values per band. Empty for RGB.
@@ -111,13 +113,16 @@ struct Study {
   /// renderers' own lights, and every candidate against each reference (`against`). Their `verdict`
   /// says what it would be.
   std::vector<Comparison> informative;
+  /// Each reference and closed form against each other one (`against`), layer by layer, interior
+/// only: what decides who the suspect is where a row fails.
+  std::vector<Comparison> pairs;
   std::vector<CandidateNote> candidates;
   std::optional<BaselineReport> baseline;  ///< of a run that was given one
 };
 
 /// What a study compares, and where it takes the other side from.
 struct StudyOptions {
-  std::vector<std::string> references;  ///< driver names; empty: all
+  std::vector<std::string> references;  ///< driver names and "closed-form"; empty: all
   ObtainOptions obtain;
   std::vector<Candidate> candidates;
   bool native = false;  ///< measure the renderers' own lights, too

@@ -101,6 +101,7 @@ ordered_json comparison_json(const Comparison& row) {
   json["verdict"] = row.verdict;
   json["reason"] = row.reason;
   json["hint"] = row.hint;
+  json["suspect"] = row.suspect;
   json["causes"] = row.causes;
   if (row.triage)
     json["triage"] = {{"ldr_flip", finite(row.triage->ldr_flip, row.scene + ".ldr_flip")},
@@ -143,12 +144,14 @@ ordered_json results_object(const Study& study, ordered_json provenance) {
       {"schema_version", kResultsSchemaVersion}, {"verdict", overall_verdict(study)},
       {"provenance", std::move(provenance)},     {"warnings", study.warnings},
       {"cases", ordered_json::array()},          {"comparisons", ordered_json::array()},
-      {"informative", ordered_json::array()},    {"candidates", ordered_json::array()}};
+      {"informative", ordered_json::array()},    {"pairs", ordered_json::array()},
+      {"candidates", ordered_json::array()}};
   for (const Case& one : study.cases) json["cases"].push_back(case_json(one));
   for (const Comparison& row : study.comparisons)
     json["comparisons"].push_back(comparison_json(row));
   for (const Comparison& row : study.informative)
     json["informative"].push_back(comparison_json(row));
+  for (const Comparison& row : study.pairs) json["pairs"].push_back(comparison_json(row));
   for (const CandidateNote& one : study.candidates)
     json["candidates"].push_back({{"name", one.name},
                                   {"encoding", one.encoding},

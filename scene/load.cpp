@@ -7,6 +7,7 @@
 #include <map>
 #include <numbers>
 
+#include "scene/expect.h"
 #include "scene/load_parts.h"
 #include "scene/words.h"
 
@@ -45,6 +46,28 @@ void read_image(const Fields& fields, Scene& scene) {
   scene.width = fields.integer("width", 1, kLargestSide);
   scene.height = fields.integer("height", 1, kLargestSide);
   scene.samples = fields.integer("samples", 1, kMostSamples, 1);
+}
+
+std::vector<Oracle> read_expect(const Fields& fields) {
+  fields.only({"oracles"});
+  std::vector<std::string> known;
+  for (const OracleName& each : oracle_names()) known.emplace_back(each.name);
+  std::vector<Oracle> oracles;
+  for (const std::string& word : fields.texts("oracles")) {
+    const auto at = std::find(known.begin(), known.end(), word);
+    if (at == known.end())
+      fields.refuse("oracles",
+                    fmt::format("there is no closed form \"{}\"{} There are: {}", word,
+                                near_words(word, known).empty() ? "." : suggestion(word, known),
+                                listed(known)));
+    const Oracle oracle = oracle_names()[std::size_t(at - known.begin())].oracle;
+    if (std::find(oracles.begin(), oracles.end(), oracle) != oracles.end())
+      fields.refuse("oracles", fmt::format("\"{}\" is listed twice", word));
+    oracles.push_back(oracle);
+  }
+  if (oracles.empty())
+    fields.refuse_missing("oracles", "a list of closed forms; leave [expect] out where none holds");
+  return oracles;
 }
 
 Material read_material(const Fields& fields) {
@@ -132,7 +155,7 @@ Scene load_scene(const std::filesystem::path& file) {
   const Node document = read_document(file);
   const Fields root(file, document, "a scene");
   check_schema(root);
-  root.only({"schema", "about", "tags", "ambient", "shadows", "shading", "bands", "spectra",
+  root.only({"schema", "about", "tags", "ambient", "shadows", "shading", "expect", "bands", "spectra",
              "image", "camera", "material", "object", "light"});
   Scene scene;
   scene.name = file.stem().string();
@@ -144,6 +167,9 @@ Scene load_scene(const std::filesystem::path& file) {
   if (root.has("shading"))
     scene.shading = root.choice<Shading>(
         "shading", {{"equation", Shading::Equation}, {"sample-code", Shading::SampleCode}});
+
+  if (root.has("expect"))
+    scene.expect = read_expect(Fields(file, *root.find("expect"), "[expect]"));
 
   for (const char* section : {"image", "camera"})
     if (!root.has(section))

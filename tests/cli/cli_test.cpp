@@ -63,7 +63,7 @@ TEST_F(Program, ListsTheCanonicalScenesForMachines) {
   const auto list = nlohmann::json::parse(litmus("list --json").text);
   ASSERT_GE(list.size(), 25u);
   for (const auto& scene : list) {
-    for (const char* key : {"name", "about", "light_types", "tags"})
+    for (const char* key : {"name", "about", "light_types", "tags", "oracles"})
       EXPECT_TRUE(scene.contains(key)) << scene;
   }
 }
@@ -197,7 +197,8 @@ TEST_F(Program, WritesEveryReportOfAStoredRun) {
   for (const char* file : {"report.html", "results.json", "summary.md", "junit.xml"}) {
     EXPECT_GT(fs::file_size(folder / "report" / file), 200u) << file;
   }
-  for (const auto& row : results("report")["comparisons"]) EXPECT_EQ(row["source"], "stored");
+  for (const auto& row : results("report")["comparisons"])
+    EXPECT_EQ(row["source"], row["reference"] == "closed-form" ? "computed" : "stored");
 }
 
 TEST_F(Program, FailsARunWithAKnownMistake) {
@@ -208,7 +209,18 @@ TEST_F(Program, FailsARunWithAKnownMistake) {
 TEST_F(Program, WorksWithoutAnyRenderer) {
   const Ended ended = litmus("run d2 --out report -q", no_renderers);
   EXPECT_EQ(ended.code, 0) << ended.text;
-  for (const auto& row : results("report")["comparisons"]) EXPECT_EQ(row["source"], "stored");
+  for (const auto& row : results("report")["comparisons"])
+    EXPECT_EQ(row["source"], row["reference"] == "closed-form" ? "computed" : "stored");
+}
+
+TEST_F(Program, NeedsNeitherRendererNorStoredImageForClosedForms) {
+  const Ended ended = litmus("run d5 --with closed-form --out report -q", no_renderers);
+  EXPECT_EQ(ended.code, 0) << ended.text;
+  for (const auto& row : results("report")["comparisons"]) {
+    EXPECT_EQ(row["reference"], "closed-form");
+    EXPECT_EQ(row["verdict"], "pass");
+  }
+  EXPECT_EQ(litmus("run s1 --with closed-form --control cutoff -q", no_renderers).code, 1);
 }
 
 TEST_F(Program, SaysThatALiveRunNeedsTheRenderer) {

@@ -65,12 +65,17 @@ TEST(TolerancesFile, StaysBelowThePublishedGates) {
   }
 }
 
+TEST(TolerancesFile, HoldsClosedFormsToDoublePrecision) {
+  for (const NamedTolerance& row : tolerances())
+    if (row.reference == "closed-form") EXPECT_LE(row.tolerance.max_abs, 1e-12) << row.line;
+}
+
 TEST(TolerancesFile, GivesNoCauseForAWarning) {
   EXPECT_THAT(tolerance_warnings(tolerances(), tolerances_file()), IsEmpty());
 }
 
-TEST(TolerancesFile, HasEveryRegionOfBothReferences) {
-  for (const char* reference : {"povray", "blender"})
+TEST(TolerancesFile, HasEveryRegionOfTheReferencesAndTheClosedForms) {
+  for (const char* reference : {"povray", "blender", "closed-form"})
     for (const Region region : kAllJudged)
       EXPECT_EQ(find_tolerance(reference, region).may_be_empty, region != Region::Interior);
 }
