@@ -19,6 +19,7 @@
 #include "reports/plain_text.h"
 #include "reports/read_results.h"
 #include "reports/study.h"
+#include "reports/suspects.h"
 #include "reports/write_html.h"
 #include "reports/write_json.h"
 #include "reports/write_junit.h"
@@ -141,6 +142,16 @@ void print_candidates(const Study& study) {
     if (!candidate.note.empty()) fmt::print("{}: {}\n", candidate.name, candidate.note);
 }
 
+/// The references among themselves, where there are two.
+void print_pairs(const Study& study) {
+  if (study.pairs.empty()) return;
+  fmt::print("{:<16} {:<12} {:>13} {:>18}\n", "each against", "each", "interior max", "failed");
+  for (const PairLine& line : pair_lines(study))
+    if (line.against != "litmus")
+      fmt::print("{:<16} {:<12} {:>13.2g} {:>18}\n", line.reference, line.against, line.largest,
+                 line.failed);
+}
+
 void print_summary(const Study& study, const fs::path& out) {
   std::map<std::pair<std::string, std::string>, std::map<std::string, std::pair<double, int>>>
       worst;
@@ -157,6 +168,7 @@ void print_summary(const Study& study, const fs::path& out) {
     fmt::print("{:<12} {:<16} {:>13.2g} {:>10.2g} {:>7}\n", key.first, key.second,
                regions["interior"].first, regions["edge"].first, regions["all"].second);
   }
+  print_pairs(study);
   print_candidates(study);
   fmt::print("{} rows pass, {} fail, {} skipped: {}\n", verdicts["pass"], verdicts["fail"],
              verdicts["skipped"], overall_verdict(study));

@@ -9,11 +9,13 @@
 
 namespace litmus {
 
-/// A negative control: a run with it must fail on the rows that the mistake touches and on no
+/// A negative control, a mistake or a misreading of the slides: a run with it must fail on the rows that the mistake touches and on no
 /// other.
 struct Control {
   std::string_view name, about;
   void (*apply)(Scene&, RenderOptions&);
+  /// For mistakes that no scene can express: changes what was rendered of the scene. Often null.
+  void (*alter)(const Scene&, Rendering&) = nullptr;
 };
 
 /// All controls, in the order of --help.

@@ -12,6 +12,7 @@
 #include "reports/overview.h"
 #include "reports/pictures.h"
 #include "reports/plain_text.h"
+#include "reports/suspects.h"
 #include "scene/words.h"
 
 namespace litmus {
@@ -228,6 +229,24 @@ data skipped_data(const Study& study) {
     data one;
     one.set("reason", text_data(reason));
     one.set("count", counted(count, "comparison", "comparisons"));
+    list.push_back(one);
+  }
+  return list;
+}
+
+data pairs_data(const Study& study) {
+  data list{data::type::list};
+  if (study.pairs.empty()) return list;
+  for (const PairLine& line : pair_lines(study)) {
+    const Case* worst = find_case(study, line.scene);
+    data one;
+    one.set("one", text_data(reference_title(line.against)));
+    one.set("other", text_data(reference_title(line.reference)));
+    one.set("largest", short_number(line.largest));
+    one.set("scene", text_data(line.scene + ", " + line.light));
+    one.set("anchor", worst == nullptr ? "" : case_anchor(study, *worst));
+    one.set("rows", std::to_string(line.rows));
+    one.set("failed", std::to_string(line.failed));
     list.push_back(one);
   }
   return list;

@@ -37,6 +37,10 @@ kainjow::mustache::data broken_data(const Study& study);
 /// The reasons for skipped rows, with their number.
 kainjow::mustache::data skipped_data(const Study& study);
 
+/// Litmus, references and closed forms, two by two: one row for each pair. Empty without a pair of
+/// references.
+kainjow::mustache::data pairs_data(const Study& study);
+
 /// What is measured and not judged: one row for each source and light type.
 kainjow::mustache::data informative_data(const Study& study);
 

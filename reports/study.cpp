@@ -207,6 +207,7 @@ Study run_study(std::span<const Scene> scenes, const StudyOptions& options) {
     BandRendering bands = render_bands(ours, render_options, KeepBands::Layers);
     const std::optional<BandSide> spectral = band_side(ours, render_options, bands);
     Rendering& rendering = bands.rendering;
+    if (control && control->alter) control->alter(ours, rendering);
 
     Case entry{ours.name,
                nearby(ours.file),

@@ -180,6 +180,7 @@ data page_data(const Study& study, const std::vector<PageLink>& beside) {
   data warnings{data::type::list};
   for (const std::string& warning : study.warnings) warnings.push_back(text_data(warning));
   set_list(page, "study_warnings", warnings);
+  set_list(page, "pairs", pairs_data(study));
   set_list(page, "informative", informative_data(study));
   set_list(page, "candidates", candidates_data(study));
   page.set("matrix_heads", matrix_heads(study));

@@ -9,6 +9,7 @@
 #include "reports/candidates.h"
 #include "reports/overview.h"
 #include "reports/plain_text.h"
+#include "reports/suspects.h"
 
 namespace litmus {
 namespace {
@@ -107,6 +108,21 @@ std::string types_text(const Study& study) {
   return text + "\n";
 }
 
+// Which sources agree: litmus, the references and the closed forms, two by two.
+std::string pairs_text(const Study& study) {
+  const std::vector<PairLine> lines = pair_lines(study);
+  if (study.pairs.empty()) return "";
+  std::string text =
+      "## Each against each\n\n| | | largest, interior | scene | light | rows | failed |\n"
+      "|---|---|--:|---|---|--:|--:|\n";
+  for (const PairLine& line : lines)
+    text +=
+        fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", cell(reference_title(line.against)),
+                    cell(reference_title(line.reference)), short_number(line.largest),
+                    cell(line.scene), cell(line.light), line.rows, line.failed);
+  return text + "\n";
+}
+
 // What the verdict does not count, and what the candidates' encodings cannot show.
 std::string informative_text(const Study& study) {
   std::string text;
@@ -182,7 +198,8 @@ std::string markdown(const Study& study) {
       counted((long long)(study.cases.size()), "scene", "scenes"), all.passed, all.failed,
       all.skipped, sources);
   text += baseline_text(study) + failures_text(study) + broken_text(study) + types_text(study) +
-          informative_text(study) + skipped_text(study) + provenance_text(study);
+          pairs_text(study) + informative_text(study) + skipped_text(study) +
+          provenance_text(study);
   if (text.size() <= kMarkdownLimit) return text;
   constexpr std::string_view kCut = "\n\nThe rest is in results.json.\n";
   text.resize(text.rfind('\n', kMarkdownLimit - kCut.size()));

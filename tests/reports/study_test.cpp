@@ -31,11 +31,27 @@ const std::vector<Scene>& canonical() {
   return scenes;
 }
 
+/// Whether our side of a scene is another one with the control.
+bool changes(const Control& control, const Scene& scene) {
+  Scene mistaken = scene;
+  RenderOptions options;
+  control.apply(mistaken, options);
+  return control.alter || options.shift_x != 0 || fingerprint(mistaken) != fingerprint(scene);
+}
+
+/// The scenes that a control changes: of the others there is nothing to learn.
+std::vector<Scene> changed_by(const Control& control) {
+  std::vector<Scene> changed;
+  for (const Scene& scene : canonical())
+    if (changes(control, scene)) changed.push_back(scene);
+  return changed;
+}
+
 Study make_study(const std::string& control) {
   StudyOptions options;
   options.obtain.sources = Sources::Stored;
   options.control = control;
-  return run_study(canonical(), options);
+  return run_study(control.empty() ? canonical() : changed_by(*find_control(control)), options);
 }
 
 /// Each control's study is made once.
@@ -167,11 +183,12 @@ struct Touched {
 
 Touched touched_by(const Control& control) {
   Touched touched;
-  for (const Scene& scene : canonical()) {
+  for (const Scene& scene : changed_by(control)) {
     Scene mistaken = scene;
     RenderOptions options;
     control.apply(mistaken, options);
     Rendering right = render(scene), wrong = render(mistaken, options);
+    if (control.alter) control.alter(mistaken, wrong);
     right.layers.push_back({"all", "all", right.whole});
     wrong.layers.push_back({"all", "all", wrong.whole});
     for (std::size_t k = 0; k < right.layers.size(); ++k) {
