@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
@@ -67,6 +69,26 @@ TEST(LampShadow, HasTheAxesOfTheWorkedExample) {
   EXPECT_NEAR(double(ellipse.centre.y), 0.732938, 1e-6);
   // It is not the projected centre of the sphere.
   EXPECT_GT(std::fabs(double(ellipse.centre.x) - 1.0143), 0.05);
+}
+
+/// Where y = 0 leaves the conic, from its middle outwards.
+double edge_on_the_axis(const Conic& conic, double outwards) {
+  Exact in = 0, out = outwards;
+  for (int i = 0; i < 80; ++i) (depth(conic, {(in + out) / 2, 0}) > 0 ? in : out) = (in + out) / 2;
+  return double(in);
+}
+
+TEST(LampShadow, OfTheCornersOfAPanelBoundUmbraAndPenumbra) {
+  // A panel of 0.5 x 0.5 at height 4 over a sphere of radius 0.4 at 1.5: along y = 0.
+  const Sphere ball{{0, 0, 1.5}, 0.4};
+  double umbra = 9, penumbra = 0;
+  for (const double x : {-0.25, 0.25})
+    for (const double y : {-0.25, 0.25}) {
+      const double edge = edge_on_the_axis(lamp_shadow(ball, {x, y, 4}, 0), 3);
+      umbra = std::min(umbra, edge), penumbra = std::max(penumbra, edge);
+    }
+  EXPECT_NEAR(umbra, 0.472684, 1e-6);
+  EXPECT_NEAR(penumbra, 0.790441, 1e-6);
 }
 
 TEST(LampShadow, OfALowLampIsABranchOfAHyperbola) {
