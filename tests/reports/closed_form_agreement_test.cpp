@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 
+#include "compare/difference.h"
 #include "compare/regions.h"
 #include "reference/closed_form.h"
 #include "scene/expect.h"
@@ -53,11 +54,14 @@ TEST(ClosedFormAgreement, OfEveryKnownPixelInDoubleIsRelativeTo1eMinus12) {
     const Rendering ours = render(expecting()[i]);
     const ClosedForm& exact = closed_form_of(i);
     for (std::size_t k = 0; k < exact.layers.size(); ++k) {
-      // Below 1e-9 of a light's peak, where cosines cancel, the error counts against that.
+      // Below kRelativeFloor of a light's peak, where cosines and decays cancel, the error counts
+      // against that.
       double peak = 0;
       for (const glm::dvec3& p : exact.layers[k].picture.pixels)
         peak = std::max({peak, p.x, p.y, p.z});
-      EXPECT_LE(worst(ours.layers[k].picture, exact.layers[k], peak > 0 ? 1e-9 * peak : 1), 1e-12)
+      EXPECT_LE(
+          worst(ours.layers[k].picture, exact.layers[k], peak > 0 ? kRelativeFloor * peak : 1),
+          1e-12)
           << expecting()[i].name << ", " << ours.layers[k].light;
       known += std::count(exact.layers[k].known.begin(), exact.layers[k].known.end(), 1);
     }
