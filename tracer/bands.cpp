@@ -57,10 +57,12 @@ struct Geometry {
 Geometry render_geometry(const Scene& scene, RenderOptions options) {
   options.shift_x *= scene.samples, options.shift_y *= scene.samples;
   options.layers = true;
-  if (options.effects) options.effects->ambient = true;  // it says which object is seen
   Scene terms = terms_scene(scene);
-  Geometry geometry{render(terms, options), {}};
-  if (scene.shading == Shading::Equation) {
+  RenderOptions with_objects = options;  // the ambient layer says which object is seen
+  if (with_objects.effects) with_objects.effects->ambient = true;
+  const bool equation = scene.shading == Shading::Equation;
+  Geometry geometry{render(terms, equation ? with_objects : options), {}};
+  if (equation) {
     geometry.objects = std::move(geometry.terms.layers.front().picture);
     return geometry;
   }
@@ -68,7 +70,7 @@ Geometry render_geometry(const Scene& scene, RenderOptions options) {
   terms.shading = Shading::Equation;
   terms.ambient = Color(1, 0, 0);
   terms.lights.clear();
-  geometry.objects = render(terms, options).whole;
+  geometry.objects = render(terms, with_objects).whole;
   return geometry;
 }
 
@@ -191,6 +193,14 @@ struct Contraction {
   }
 };
 
+/// Leaves the ambient layer black, for whoever asks for a picture without that effect.
+void leave_out_ambient(std::vector<BandAnswer>& answers, std::size_t layers) {
+  for (std::size_t i = 0; i < answers.size(); i += layers) {
+    answers[i].colors = glm::dmat3(0);
+    std::fill(answers[i].in_view.begin(), answers[i].in_view.end(), 0.0);
+  }
+}
+
 /// What the samples of each pixel have in common: signatures mixed, flags or-ed.
 void gather(const Scene& scene, Rendering& terms, Rendering& result) {
   if (scene.samples == 1) {
@@ -243,12 +253,16 @@ BandRendering render_bands(const Scene& scene, const RenderOptions& options, Kee
   if (options.threads > 0)
     limit.emplace(tbb::global_control::max_allowed_parallelism, std::size_t(options.threads));
   const auto start = std::chrono::steady_clock::now();
-  const Contraction contraction{scene, geometry, answers_of(scene), keep};
+  std::vector<BandAnswer> answers = answers_of(scene);
+  if (options.effects && !options.effects->ambient)
+    leave_out_ambient(answers, result.rendering.layers.size());
+  const Contraction contraction{scene, geometry, std::move(answers), keep};
   std::atomic<std::int64_t> products = 0;
   tbb::parallel_for(0, scene.height, [&](int y) { products += contraction.row(y, result); });
   result.products = products;
   gather(scene, geometry.terms, result.rendering);
   result.rendering.counts = geometry.terms.counts, result.rendering.target = geometry.terms.target;
+  if (!options.layers) result.rendering.layers.clear();
   result.rendering.seconds =
       geometry.terms.seconds +
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -120,6 +120,24 @@ TEST(Bands, HaveTheSignaturesAndFlagsOfTheScene) {
   EXPECT_EQ(render(with_bands(rgb)).flags, render(rgb).flags);
 }
 
+TEST(Bands, LeaveOutWhatTheOptionsDo) {
+  const Scene scene = with_bands(canonical("x5"));
+  RenderOptions bare;
+  bare.layers = bare.edges = false;
+  const Rendering whole = render(scene, bare);
+  EXPECT_TRUE(whole.layers.empty() && whole.signatures.empty() && whole.flags.empty());
+  EXPECT_EQ(whole.whole.pixels, render(scene).whole.pixels);
+  bare.effects = all_effects();
+  EXPECT_EQ(render(scene, bare).whole.pixels, whole.whole.pixels);
+  RenderOptions dark;
+  dark.effects = all_effects();
+  dark.effects->ambient = false;
+  const Rendering without = render(scene, dark), with = render(scene);
+  EXPECT_EQ(largest_difference(without.layers[0].picture, Picture(scene.width, scene.height)), 0);
+  EXPECT_GT(largest_difference(without.whole, with.whole), 0.001);
+  EXPECT_EQ(without.layers[1].picture.pixels, with.layers[1].picture.pixels);
+}
+
 TEST(Bands, DoNotDependOnThreads) {
   const Scene scene = with_bands(canonical("x5"));
   EXPECT_EQ(largest_difference(render(scene, {Precision::Double, 1}).whole,
