@@ -1,16 +1,24 @@
 // main.cpp: the program litmus, a table of subcommands.
 #include <cstdio>
 #include <exception>
+#include <string>
 
 #include "cli/commands.h"
+#include "cli/stress.h"
 #include "reference/process.h"
+#include "tracer/self_check.h"
 
 int main(int argc, char** argv) {
   using namespace litmus;
   end_processes_on_interrupt();
+  if (const std::string fault = arithmetic_fault(); !fault.empty()) {
+    std::fprintf(stderr, "litmus: this process does not compute as IEEE 754 says: %s\n",
+                 fault.c_str());
+    return kBadInput;
+  }
   void (*const commands[])(Program&) = {add_run,       add_render,  add_explain, add_export,
-                                        add_reference, add_compare, add_approve, add_cost,
-                                        add_list,      add_doctor};
+                                        add_reference, add_compare, add_approve, add_list,
+                                        add_stress,    add_cost,    add_doctor};
   try {
     return run_program(
         argc, argv,

@@ -146,6 +146,8 @@ void apply(const Envelope& envelope, Light& light) {
 }  // namespace
 
 Envelope envelope_of(const Scene& scene) {
+  // A scene with this tag shows where a renderer's own limits are (scene/README.md).
+  if (std::find(scene.tags.begin(), scene.tags.end(), "unmoved") != scene.tags.end()) return {};
   const Extent extent = extent_of(scene);
   const double radius = extent.radius();
   if (extent.empty() || !(radius > 0) || !std::isfinite(radius)) return {};

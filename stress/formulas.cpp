@@ -41,19 +41,20 @@ struct Experiment {
 
 template <Real R>
 StressRow row_of(const Experiment& e, std::uint64_t samples, const UlpTally& tally) {
-  return {fmt::format("{}-{}", e.id, kScalarName<R>),
-          "formulas",
-          e.what,
-          std::string(kScalarName<R>),
-          e.domain,
-          e.metric,
-          samples,
-          tally.robust,
-          e.bound,
-          e.control,
-          tally.naive,
-          true,
-          StressCurve{e.x_label, e.low, e.high, tally.robust_bins, tally.naive_bins}};
+  return {
+      fmt::format("{}-{}", e.id, kScalarName<R>),
+      "formulas",
+      e.what,
+      std::string(kScalarName<R>),
+      e.domain,
+      e.metric,
+      samples,
+      tally.robust,
+      e.bound,
+      e.control,
+      tally.naive,
+      true,
+      StressCurve{e.metric, true, e.x_label, e.low, e.high, tally.robust_bins, tally.naive_bins}};
 }
 
 /// Draws `samples` samples of `e`; one(draw, tally) notes the errors of one.

@@ -15,10 +15,12 @@
 
 namespace litmus {
 
-/// Largest errors over equal parts of the domain, robust against naive.
+/// Errors over equal parts of the domain, robust against naive.
 struct StressCurve {
-  std::string x_label;       ///< what the domain's coordinate is, such as "log10 of x = d / R"
-  double low = 0, high = 1;  ///< of the coordinate; the bins divide it evenly
+  std::string y_label;                ///< what is plotted, such as "ulp"
+  bool logarithmic = true;            ///< of the errors
+  std::string x_label;                ///< the domain's coordinate, such as "log10 of x = d / R"
+  double low = 0, high = 1;           ///< of the coordinate; the bins divide it evenly
   std::vector<double> robust, naive;  ///< per bin; infinite where the result is not finite
 };
 
@@ -50,5 +52,13 @@ struct StressOptions {
 
 /// alpha, decay, l, q, specular, the frame and the light sum: errors in ulp.
 std::vector<StressRow> stress_formulas(const StressOptions& options);
+/// Rays through the shared edges and vertices of closed meshes, in two builds.
+std::vector<StressRow> stress_leaks(const StressOptions& options);
+/// Pixels that are not finite over hostile scenes, and pictures under four rounding modes.
+std::vector<StressRow> stress_pictures(const StressOptions& options);
+
+/// All of them, in this order. Deterministic: the same rows for the same options, on any number of
+/// threads.
+std::vector<StressRow> run_stress(const StressOptions& options);
 
 }  // namespace litmus

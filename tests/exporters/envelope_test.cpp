@@ -82,5 +82,12 @@ TEST(Envelope, IsNotStretchedByAFarLight) {
   EXPECT_TRUE(envelope_of(scene).identity());
 }
 
+TEST(Envelope, LeavesASceneThatIsTaggedUnmoved) {
+  Scene scene = ball_on_floor(1e6, Point(0));
+  ASSERT_FALSE(envelope_of(scene).identity());
+  scene.tags = {"unmoved"};
+  EXPECT_TRUE(envelope_of(scene).identity());
+}
+
 }  // namespace
 }  // namespace litmus
