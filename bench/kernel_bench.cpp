@@ -4,8 +4,11 @@
 #include <benchmark/benchmark.h>
 
 #include "bench/stage.h"
+#include "scene/load.h"
+#include "tracer/bands.h"
 #include "tracer/kernel.h"
 #include "tracer/pixels.h"
+#include "tracer/render.h"
 #ifdef LITMUS_EMBREE
 #include "bench/embree_rays.h"
 #endif
@@ -74,6 +77,21 @@ void add_embree([[maybe_unused]] const std::string& name, [[maybe_unused]] const
 #endif
 }
 
+/// A spectral scene in all its bands against the same scene in plain colours, on one thread.
+void add_bands(const std::string& name) {
+  const Scene spectral = load_scene(find_scene(name));
+  Scene plain = spectral;
+  plain.spectra.reset();
+  const RenderOptions options{.precision = Precision::Double, .threads = 1};
+  benchmark::RegisterBenchmark((name + "/plain").c_str(), [=](benchmark::State& state) {
+    for (auto _ : state) benchmark::DoNotOptimize(render(plain, options));
+  })->Unit(benchmark::kMillisecond);
+  benchmark::RegisterBenchmark((name + "/bands").c_str(), [=](benchmark::State& state) {
+    for (auto _ : state)
+      benchmark::DoNotOptimize(render_bands(spectral, options, KeepBands::Whole));
+  })->Unit(benchmark::kMillisecond);
+}
+
 }  // namespace
 }  // namespace litmus
 
@@ -95,6 +113,8 @@ int main(int argc, char** argv) {
     add<double>(name + "/primary", mesh, effects_of(mesh), fastest());
     add_embree(name + "/embree-primary", mesh);
   }
+  add_bands("w1-bands");
+  add_bands("w3-sodium");
   benchmark::Initialize(&argc, argv);
   benchmark::RunSpecifiedBenchmarks();
 }

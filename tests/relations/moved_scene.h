@@ -5,16 +5,22 @@
 #include <cmath>
 #include <vector>
 
+#include "scene/bands.h"
 #include "scene/load.h"
 #include "scene/scene.h"
 
 namespace litmus {
 
-/// Every canonical scene, at most `side` pixels a side (both even) and one sample per pixel.
+/// Every canonical scene, at most `side` pixels a side (both even) and one sample per pixel. Of one
+/// with spectra its middle bands, as a scene with plain colours.
 inline std::vector<Scene> small_canonical_scenes(int side) {
   std::vector<Scene> scenes;
   for (const auto& file : canonical_scenes()) {
     Scene scene = load_scene(file);
+    if (scene.spectra) {
+      std::vector<Scene> bands = band_scenes(scene);
+      scene = std::move(bands[bands.size() / 2]);
+    }
     const double shrink = std::min(1.0, double(side) / std::max(scene.width, scene.height));
     scene.width = std::max(2, 2 * int(scene.width * shrink / 2));
     scene.height = std::max(2, 2 * int(scene.height * shrink / 2));

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <glm/geometric.hpp>
 #include <stdexcept>
 #include <tuple>
@@ -198,29 +197,6 @@ TEST(SpectralWork, IsAProductPerTermAndBandThatIsKept) {
   EXPECT_EQ(products(KeepBands::Layers), 16 * (2 * 3 + 3 * 42));
   scene.lights[0].shape = DirectionalLight{{0, 0, 1}};  // from below
   EXPECT_EQ(products(KeepBands::Whole), 16 * (2 * 3 + 42));
-}
-
-/// CPU seconds of this process.
-double cpu_seconds() { return double(std::clock()) / CLOCKS_PER_SEC; }
-
-/// Pairs of runs, one after the other, so that whatever else the machine does slows both.
-TEST(SpectralWork, OfFortyBandsTakesAtMostThreeTimesAnRgbRendering) {
-  for (const char* name : {"x3", "d2", "w3"}) {
-    Scene rgb = canonical(name, 128);
-    rgb.spectra.reset();
-    const Scene spectral = with_bands(rgb, 40);
-    std::vector<double> ratios;
-    for (int pair = 0; pair < 5; ++pair) {
-      const double start = cpu_seconds();
-      render(rgb, {Precision::Double, 1});
-      const double middle = cpu_seconds();
-      render_bands(spectral, {Precision::Double, 1}, KeepBands::Whole);
-      ratios.push_back((cpu_seconds() - middle) / (middle - start));
-    }
-    std::sort(ratios.begin(), ratios.end());
-    RecordProperty(std::string("ratio_") + name, std::to_string(ratios[2]));
-    EXPECT_LE(ratios[2], 3) << name;
-  }
 }
 
 // ---- The canonical scenes ----------------------------------------------------------------------
