@@ -15,6 +15,7 @@ std::vector<StressRow> run_stress(const StressOptions& options) {
     std::vector<StressRow> (*run)(const StressOptions&);
   };
   const Part parts[] = {{"formulas", stress_formulas},
+                        {"shadow rays", stress_shadows},
                         {"meshes", stress_leaks},
                         {"pictures", stress_pictures}};
   std::vector<StressRow> rows;

@@ -52,6 +52,8 @@ struct StressOptions {
 
 /// alpha, decay, l, q, specular, the frame and the light sum: errors in ulp.
 std::vector<StressRow> stress_formulas(const StressOptions& options);
+/// Surfaces that shadow themselves, occluders that are missed, lamps shadowed by their own wall.
+std::vector<StressRow> stress_shadows(const StressOptions& options);
 /// Rays through the shared edges and vertices of closed meshes, in two builds.
 std::vector<StressRow> stress_leaks(const StressOptions& options);
 /// Pixels that are not finite over hostile scenes, and pictures under four rounding modes.

@@ -18,6 +18,7 @@ struct Sightlines {
   V length;            ///< to the centre of the lamps' ball
   V radius;            ///< of that ball
   V sine, cosine;      ///< of the cone's half angle
+  V coordinate;        ///< bounds those that `from` was computed from: a shadow ray's offset too
 
   /// Where a ball may touch a line.
   Mask<V> may_meet(const Ball<Scalar<V>>& ball) const {
@@ -27,9 +28,8 @@ struct Sightlines {
     const V squared = dot(to, to), ahead = dot(to, along);
     const V beside = squared - ahead * ahead;
     const V aside = sqrt(select(beside > R(0), beside, V(R(0))));
-    const V reach =
-        ball.radius +
-        R(1024) * kUnit<R> * (sqrt(squared) + ball.radius + length + radius + max_abs(from));
+    const V reach = ball.radius + R(1024) * kUnit<R> *
+                                      (sqrt(squared) + ball.radius + length + radius + coordinate);
     const Mask<V> in_cone = !(aside * cosine - sine * ahead > reach);
     return in_cone & !(ahead + reach < R(0)) & !(ahead - reach > length + radius);
   }
@@ -41,7 +41,7 @@ struct Sightlines {
     const Vec<V> normal(plane.normal), point(plane.point);
     const V here = dot(from - point, normal);
     const V there = here + length * dot(along, normal);
-    const V margin = R(1024) * kUnit<R> * (max_abs(from - point) + length + radius + max_abs(from));
+    const V margin = R(1024) * kUnit<R> * (max_abs(from - point) + length + radius + coordinate);
     const Mask<V> same = (here > margin) & (there > radius + margin);
     const Mask<V> other = (here < -margin) & (there < -(radius + margin));
     return !(same | other);
@@ -55,7 +55,13 @@ Sightlines<V> sightlines(const Ball<R>& lamps, const Hit<V>& hit) {
   // Inside of the ball every direction is a sight line.
   const V ratio = V(lamps.radius) / to.length;
   const V sine = select(ratio < R(1), ratio, V(R(1)));
-  return {hit.point, to.unit, to.length, V(lamps.radius), sine, sqrt(V(R(1) - sine * sine))};
+  return {hit.point,
+          to.unit,
+          to.length,
+          V(lamps.radius),
+          sine,
+          sqrt(V(R(1) - sine * sine)),
+          max_abs(hit.point) + hit.reach};
 }
 
 /// The surfaces that may hide a lamp of the light from a point that is asked for.

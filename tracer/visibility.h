@@ -29,6 +29,7 @@ struct Hit {
   V t = std::numeric_limits<Scalar<V>>::infinity();
   V u{}, v{}, w{};   ///< triangles: barycentric weights
   Vec<V> point;      ///< on the surface itself, not just on the ray
+  V reach{};         ///< largest coordinate that the point was computed from
   Vec<V> geometric;  ///< unit normal of the surface, turned towards the eye
   Vec<V> normal;     ///< unit normal for shading, turned towards the eye by itself
 };
@@ -86,25 +87,28 @@ void for_each_surface(const Hit<V>& hit, Visit visit) {
 template <Value V>
 struct Settled {
   Vec<V> point, geometric, normal;
+  V reach{};
 };
 
 template <Value V>
 Settled<V> settle(const SphereSurface<Scalar<V>>& sphere, const Hit<V>& hit) {
   const Vec<V> center(sphere.center);
   const Vec<V> normal = normalize(hit.point - center);
-  return {center + V(sphere.radius) * normal, normal, normal};
+  const Vec<V> point = center + V(sphere.radius) * normal;
+  return {point, normal, normal, max_abs(point)};
 }
 
 template <Value V>
 Settled<V> settle(const PlaneSurface<Scalar<V>>& plane, const Hit<V>& hit) {
   const Vec<V> normal(plane.normal);
-  return {hit.point - dot(hit.point - Vec<V>(plane.point), normal) * normal, normal, normal};
+  const Vec<V> point = hit.point - dot(hit.point - Vec<V>(plane.point), normal) * normal;
+  return {point, normal, normal, max_abs(point)};
 }
 
 template <Value V>
 Settled<V> settle(const BoxSurface<Scalar<V>>& box, const Hit<V>& hit) {
   using R = Scalar<V>;
-  Settled<V> settled{hit.point, {}, {}};
+  Settled<V> settled{hit.point, {}, {}, {}};
   V* const point[3] = {&settled.point.x, &settled.point.y, &settled.point.z};
   V* const normal[3] = {&settled.normal.x, &settled.normal.y, &settled.normal.z};
   for (int axis = 0; axis < 3; ++axis) {
@@ -114,17 +118,22 @@ Settled<V> settle(const BoxSurface<Scalar<V>>& box, const Hit<V>& hit) {
     *normal[axis] = select(lower, V(R(-1)), select(upper, V(R(1)), V(R(0))));
   }
   settled.geometric = settled.normal;
+  settled.reach = max_abs(settled.point);
   return settled;
 }
 
+/// From the first corner along the edges: the weights need not add up to 1 to the last digit.
 template <Real R, Value V>
 Settled<V> settle(const std::array<Vec<R>, 3>& corners, const TriangleInfo<R>& info,
                   const Hit<V>& hit) {
+  const Vec<V> a(corners[0]), ab(corners[1] - corners[0]), ac(corners[2] - corners[0]);
   const auto between = [&](const std::array<Vec<R>, 3>& at) {
     return hit.u * Vec<V>(at[0]) + hit.v * Vec<V>(at[1]) + hit.w * Vec<V>(at[2]);
   };
   const Vec<V> normal(info.normal);
-  return {between(corners), normal, info.smooth ? normalize(between(info.normals)) : normal};
+  const R reach = std::max({max_abs(corners[0]), max_abs(corners[1]), max_abs(corners[2])});
+  return {a + (hit.v * ab + hit.w * ac), normal,
+          info.smooth ? normalize(between(info.normals)) : normal, V(reach)};
 }
 
 /// The geometric and shading normal of a hit, and its point moved onto the surface.
@@ -153,12 +162,12 @@ void settle(const Plan<R>& plan, const Ray<V>& ray, Hit<V>& hit) {
         break;
     }
     all = {select(on, one.point, all.point), select(on, one.geometric, all.geometric),
-           select(on, one.normal, all.normal)};
+           select(on, one.normal, all.normal), select(on, one.reach, all.reach)};
   });
   const auto towards_eye = [&](const Vec<V>& n) {
     return select(dot(n, ray.direction) > R(0), -n, n);
   };
-  hit.point = all.point;
+  hit.point = all.point, hit.reach = all.reach;
   hit.geometric = towards_eye(all.geometric), hit.normal = towards_eye(all.normal);
 }
 
@@ -230,32 +239,62 @@ Hit<V> closest_hit(const Plan<R>& plan, const std::type_identity_t<Ray<V>>& ray)
 
 // ---- What is in the way ----------------------------------------------------------------------
 
-/// A ray that leaves the surface of a hit and ends before the lamp: nothing at or behind the lamp
-/// is met. Off a triangle it starts above the rounding error of the hit point, so that neighbours
-/// are not met either.
+/// How far above a triangle a shadow ray starts, in half units of the last place of the largest
+/// coordinate that its point was computed from.
+inline constexpr int kTriangleOffset = 5;
+
+/// A ray from the surface of a hit to a lamp.
 template <Value V>
-Ray<V> shadow_ray(const Hit<V>& hit, const Incident<V>& light) {
+struct ShadowRay {
+  Ray<V> ray;
+  V slack{};  ///< a surface that passes the lamp by no more than that is at the lamp, scene units
+
+  /// Whether what the ray meets at t lies strictly between. `slope` is the cosine between the ray
+  /// and the surface's normal, so that the lamp's distance from the surface decides: along the ray
+  /// the rounding error of t grows without limit as a surface is seen edge-on. `far` is the largest
+  /// coordinate of the surface.
+  Mask<V> meets(const V& t, const V& slope, Scalar<V> far) const {
+    using std::fabs;
+    using R = Scalar<V>;
+    const V apart = (ray.limit - t) * fabs(slope);
+    return (t > R(0)) & (t < ray.limit) & (apart > slack + gamma_bound<R>(8) * far);
+  }
+};
+
+template <Value V>
+ShadowRay<Scalar<V>> lane(const ShadowRay<V>& shadow, int i) {
+  return {lane(shadow.ray, i), lane(shadow.slack, i)};
+}
+
+/// Off a triangle the ray starts above the rounding error of the hit point, so that its neighbours
+/// are not met either. That error is 2 roundings of the point's coordinates and 5 of its distance
+/// from the first corner.
+template <Value V>
+ShadowRay<V> shadow_ray(const Hit<V>& hit, const Incident<V>& light) {
   using R = Scalar<V>;
   constexpr R kInfinity = std::numeric_limits<R>::infinity();
-  const R bound = gamma_bound<R>(16);
-  Ray<V> ray{hit.point, light.direction, light.distance};
+  ShadowRay<V> shadow{{hit.point, light.direction, light.distance}};
   const Mask<V> on_triangle = hit.kind == kind_value<V>(Kind::Triangle);
   if (any_of(on_triangle)) {
     const Mask<V> away = dot(hit.geometric, light.direction) < R(0);
     const Vec<V> off = select(away, -hit.geometric, hit.geometric);
-    ray.origin = select(on_triangle, hit.point + (bound * max_abs(hit.point)) * off, hit.point);
+    shadow.ray.origin = select(
+        on_triangle, hit.point + (gamma_bound<R>(kTriangleOffset) * hit.reach) * off, hit.point);
   }
-  const V end = light.distance - bound * (max_abs(hit.point) + light.distance);
-  ray.limit = select(light.distance < kInfinity, end, light.distance);
-  return ray;
+  const V slack = gamma_bound<R>(16) * (max_abs(hit.point) + light.distance);
+  shadow.slack = select(light.distance < kInfinity, slack, V(R(0)));
+  return shadow;
 }
 
 /// How far a ray that starts on this sphere's own surface runs inside it; not positive if it leaves
-/// at once.
+/// at once. By the normal and not by the point, whose rounding error far from the origin may be
+/// larger than the cosine between the normal and the ray.
 template <Value V>
 V own_exit(const SphereSurface<Scalar<V>>& sphere, const Hit<V>& hit, const Ray<V>& ray) {
-  const Vec<V> outward = hit.point - Vec<V>(sphere.center);
-  return Scalar<V>(-2) * dot(outward, ray.direction) / dot(ray.direction, ray.direction);
+  using R = Scalar<V>;
+  const Mask<V> inside = dot(hit.point - Vec<V>(sphere.center), hit.geometric) < R(0);
+  const V twice = select(inside, V(R(2) * sphere.radius), V(R(-2) * sphere.radius));
+  return twice * dot(hit.geometric, ray.direction) / dot(ray.direction, ray.direction);
 }
 
 /// The same for a box; -1 if it leaves at once.
@@ -269,6 +308,29 @@ V own_exit(const BoxSurface<Scalar<V>>& box, const Hit<V>& hit, const Ray<V>& ra
     outward = select(hit.face == Index<V>(2 * axis + 1), along, outward);
   }
   return select(outward >= R(0), V(R(-1)), intersect(box, ray).leave);
+}
+
+/// Whether a solid lies in the way of a shadow ray that does not start on it.
+template <Value V>
+Mask<V> blocks(const SphereSurface<Scalar<V>>& sphere, const ShadowRay<V>& shadow) {
+  using R = Scalar<V>;
+  const Chord<V> chord = intersect(sphere, shadow.ray);
+  const V slope = (chord.leave - chord.enter) * (R(0.5) / sphere.radius);
+  const R far = max_abs(sphere.center) + sphere.radius;
+  return (chord.enter <= chord.leave) &
+         (shadow.meets(chord.enter, slope, far) | shadow.meets(chord.leave, slope, far));
+}
+
+template <Value V>
+Mask<V> blocks(const BoxSurface<Scalar<V>>& box, const ShadowRay<V>& shadow) {
+  const Chord<V> chord = intersect(box, shadow.ray);
+  const auto slope = [&](const Index<V>& face) {
+    const Vec<V>& d = shadow.ray.direction;
+    return select(face < Index<V>(2), d.x, select(face < Index<V>(4), d.y, d.z));
+  };
+  const Scalar<V> far = std::max(max_abs(box.min), max_abs(box.max));
+  return (chord.enter <= chord.leave) & (shadow.meets(chord.enter, slope(chord.enter_face), far) |
+                                         shadow.meets(chord.leave, slope(chord.leave_face), far));
 }
 
 /// A few numbers of a list; `all` stands for the whole list where it is too long for that.
@@ -300,14 +362,14 @@ bool visit_parts(const Parts& parts, const ShortList& list, Visit visit) {
 /// along a shadow ray until that returns true, and returns whether it did. The surface hit is left
 /// out where it is flat; where it is a sphere or a box, only its far side can be in the way.
 template <Real R, Value V, class Visit>
-bool visit_blockers(const Plan<R>& plan, const Hit<V>& hit, const Ray<V>& ray,
+bool visit_blockers(const Plan<R>& plan, const Hit<V>& hit, const ShadowRay<V>& shadow,
                     const Suspects& suspects, Visit visit) {
-  const auto blocks = [&](const V& t) -> Mask<V> { return (t > R(0)) & (t < ray.limit); };
   const auto solid_blocks = [&](Kind kind, int index, const auto& shape) -> Mask<V> {
-    const Chord<V> chord = intersect(shape, ray);
-    const Mask<V> met = (chord.enter <= chord.leave) & (blocks(chord.enter) | blocks(chord.leave));
     const Mask<V> own = on_surface(hit, kind, index);
-    return none_of(own) ? met : (own & blocks(own_exit(shape, hit, ray))) | (!own & met);
+    const Mask<V> met = blocks(shape, shadow);
+    if (none_of(own)) return met;
+    const V exit = own_exit(shape, hit, shadow.ray);
+    return (own & (exit > R(0)) & (exit < shadow.ray.limit - shadow.slack)) | (!own & met);
   };
   return visit_parts(plan.spheres, suspects.spheres,
                      [&](int i, const auto& part) {
@@ -320,21 +382,26 @@ bool visit_blockers(const Plan<R>& plan, const Hit<V>& hit, const Ray<V>& ray,
          visit_parts(plan.planes, suspects.planes, [&](int i, const auto& part) {
            const Mask<V> own = on_surface(hit, Kind::Plane, i);
            if (all_of(own)) return false;
-           return visit(part.object, !own & blocks(intersect(part.shape, ray)));
+           const V slope = dot(Vec<V>(part.shape.normal), shadow.ray.direction);
+           const V t = intersect(part.shape, shadow.ray);
+           return visit(part.object, !own & shadow.meets(t, slope, max_abs(part.shape.point)));
          });
 }
 
 /// The object of a triangle that a shadow ray meets, not always the nearest, -1 if there is none.
 /// `own` is the triangle that it leaves, or -1.
 template <Real R>
-int blocking_triangle(const Plan<R>& plan, Ray<R> ray, int own) {
+int blocking_triangle(const Plan<R>& plan, const ShadowRay<R>& shadow, int own) {
   if (plan.triangles.empty()) return -1;
+  Ray<R> ray = shadow.ray;
   const ShearedRay<R> sheared(ray.direction);
   int blocker = -1;
   traverse(plan.bvh, ray, [&](std::uint32_t number) {
     if (int(number) == own) return false;
     const R t = intersect(plan.triangles[number], ray, sheared).t;
     if (!(t > 0 && t < ray.limit)) return false;
+    const R slope = dot(plan.triangle_info[number].normal, ray.direction);
+    if (!shadow.meets(t, slope, max_abs(plan.triangles[number][0]))) return false;
     blocker = plan.triangle_info[number].object;
     return true;
   });
@@ -351,13 +418,13 @@ int own_triangle(const Hit<V>& hit, int i) {
 /// Scene::objects, -1 if there is none.
 template <Real R>
 int first_blocker(const Plan<R>& plan, const Hit<R>& hit, const Incident<R>& light) {
-  const Ray<R> ray = shadow_ray(hit, light);
+  const ShadowRay<R> shadow = shadow_ray(hit, light);
   int blocker = -1;
-  const bool found = visit_blockers(plan, hit, ray, {}, [&](int object, bool blocked) {
+  const bool found = visit_blockers(plan, hit, shadow, {}, [&](int object, bool blocked) {
     blocker = object;
     return blocked;
   });
-  return found ? blocker : blocking_triangle(plan, ray, own_triangle(hit, 0));
+  return found ? blocker : blocking_triangle(plan, shadow, own_triangle(hit, 0));
 }
 
 /// Whether anything lies strictly between a hit and a lamp, for the lanes that are asked for. Only
@@ -365,17 +432,17 @@ int first_blocker(const Plan<R>& plan, const Hit<R>& hit, const Incident<R>& lig
 template <Real R, Value V>
 Mask<V> occluded(const Plan<R>& plan, const Hit<V>& hit, const Incident<V>& light,
                  const Mask<V>& asked = true, const Suspects& suspects = {}) {
-  const Ray<V> ray = shadow_ray(hit, light);
+  const ShadowRay<V> shadow = shadow_ray(hit, light);
   Mask<V> blocked = !asked;
   const bool all_blocked =
-      visit_blockers(plan, hit, ray, suspects, [&](int, const Mask<V>& by_one) {
+      visit_blockers(plan, hit, shadow, suspects, [&](int, const Mask<V>& by_one) {
         blocked = blocked | by_one;
         return all_of(blocked);
       });
   if (all_blocked || plan.triangles.empty() || !suspects.triangles) return blocked & asked;
   for (int i = 0; i < kLanes<V>; ++i) {
     if (lane(blocked, i)) continue;
-    set_lane(blocked, i, blocking_triangle(plan, lane(ray, i), own_triangle(hit, i)) >= 0);
+    set_lane(blocked, i, blocking_triangle(plan, lane(shadow, i), own_triangle(hit, i)) >= 0);
   }
   return blocked & asked;
 }
