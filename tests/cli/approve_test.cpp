@@ -108,7 +108,7 @@ TEST_F(Approve, RefusesPixelsThatAreNotFinite) {
 
 TEST_F(Approve, RefusesPicturesThatAreUnregistered) {
   // A picture shifted by half a pixel, not marked as a planted mistake.
-  ASSERT_EQ(run("d2 --references stored --control half-pixel").code, 1);
+  ASSERT_EQ(run("d2 --references stored --with blender --control half-pixel").code, 1);
   nlohmann::json json = results("litmus-report");
   json["provenance"]["command"] = "litmus run d2";
   write("litmus-report/results.json", json.dump());
