@@ -21,16 +21,6 @@ namespace litmus {
 
 inline constexpr int kResultsSchemaVersion = 1;
 
-/// Whose error a failing row is: its worst pixels, judged by renders in quad precision (blame.h).
-struct Blame {
-  std::string verdict;      ///< "ours" | "the reference's" | "ill-conditioned"
-  int pixels = 0;           ///< looked at; each counts in one of the three
-  int ours = 0;             ///< our value is farther from the truth
-  int theirs = 0;           ///< theirs is
-  int ill_conditioned = 0;  ///< a boundary at the pixel's centre has our value on one side, theirs on the other
-  double our_error = 0, their_error = 0;  ///< largest distance from the truth, where well conditioned
-};
-
 /// One row of results.json: one light of one scene against one reference in one region.
 struct Comparison {
   std::string scene;       ///< canonical name or file stem
@@ -60,7 +50,6 @@ struct Comparison {
   std::vector<std::string> causes;  ///< one sentence per listed pixel
   std::string suspect;  ///< of a failure: the one source that all others disagree with; may be empty
   std::optional<Triage> triage;     ///< of failing whole pictures (light and region "all") only
-  std::optional<Blame> blame;       ///< of a renderer's failing rows with pixels over the tolerance; RGB only
   /// Of a spectral scene the bands where the row is worst, such as "580-610 nm"; its figures are
   /// of the values per band. Empty for RGB.
   std::string bands{};
