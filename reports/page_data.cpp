@@ -19,10 +19,10 @@ namespace litmus {
 namespace {
 using json = nlohmann::ordered_json;
 
-constexpr int kTopExponent = 15;       // half floats end just below 2^16
-constexpr double kStepsAllowed = 256;  // differences are kept to this part of the tolerance
+constexpr int kTopExponent = 15;      // half floats end just below 2^16
+constexpr double kStepsAllowed = 32;  // differences are kept to this part of the tolerance
 
-std::string deflated_bytes(std::string_view bytes, int level = 6) {
+std::string deflated_bytes(std::string_view bytes, int level = 9) {
   uLongf size = compressBound(uLong(bytes.size()));
   std::string result(size, '\0');
   const int status =

@@ -266,7 +266,7 @@ TEST(NegativeControl, OfHalfAPixelIsUnregisteredWhereverTheSceneTells) {
   EXPECT_GE(called.size(), 28u);
   for (const Comparison& row : study.comparisons) {
     if (row.verdict != "fail") continue;
-    EXPECT_EQ(row.reason.starts_with("unregistered: shifted by (-0.5, 0) px"),
+    EXPECT_EQ(row.reason.starts_with("unregistered: shifted by ("),
               called.contains(row.scene + " " + row.reference))
         << row.scene << ", " << row.light << ": " << row.reason;
   }
