@@ -19,8 +19,9 @@ namespace litmus {
 namespace {
 using json = nlohmann::ordered_json;
 
-constexpr int kTopExponent = 15;      // half floats end just below 2^16
-constexpr double kStepsAllowed = 32;  // differences are kept to this part of the tolerance
+constexpr int kTopExponent = 15;  // half floats end just below 2^16
+// Differences are kept to this part of the tolerance where a row of the scene fails, else to that.
+constexpr double kStepsOfFailures = 256, kStepsOfPasses = 32;
 
 std::string deflated_bytes(std::string_view bytes, int level = 9) {
   uLongf size = compressBound(uLong(bytes.size()));
@@ -81,7 +82,10 @@ json theirs_json(const Study& study, const Case& one, const CaseLayer& layer,
     result["allowed"].push_back(allowed);
     if (region == Region::Interior) inside = allowed;
   }
-  const double step = inside > 0 ? std::exp2(std::floor(std::log2(inside / kStepsAllowed))) : 0;
+  const bool fails =
+      tally(study, [&](const Comparison& row) { return row.scene == one.scene; }).failed > 0;
+  const double steps = fails ? kStepsOfFailures : kStepsOfPasses;
+  const double step = inside > 0 ? std::exp2(std::floor(std::log2(inside / steps))) : 0;
   result["step"] = step;
   result["difference"] = packed_json(packed(packed_difference(layer.ours, theirs.picture), step));
   return result;

@@ -44,8 +44,9 @@ std::string shell_word(const std::string& text);
 std::string scene_word(const Case& one);
 
 /// All pictures of a scene as JSON: ours for each layer, for each of its references the difference
-/// (to 1/32 of what is allowed inside, or as exact as half floats are), what is allowed, the
-/// edges, and what the light does (kLit and so on). reports/web/data.js reads it.
+/// (to 1/256 of what is allowed inside, 1/32 where no row fails, or as exact as half floats are),
+/// what is allowed, the edges, and what the light does (kLit and so on). reports/web/data.js reads
+/// it.
 std::string pictures_json(const Study& study, const Case& one);
 
 }  // namespace litmus
