@@ -1,50 +1,23 @@
 // cost_test.cpp: litmus cost and litmus render --max-error as a person uses them.
-#include <gtest/gtest.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
-#include <array>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "compare/image_io.h"
-#include "test_paths.h"
+#include "tests/cli/program_test.h"
 
 namespace litmus {
 namespace {
 
 namespace fs = std::filesystem;
 
-struct Ended {
-  int code = -1;
-  std::string text;
-};
-
-class CostProgram : public testing::Test {
+/// Without a renderer in sight.
+class CostProgram : public ProgramTest {
  protected:
-  void SetUp() override {
-    std::string name = fs::temp_directory_path() / "litmus-test-XXXXXX";
-    ASSERT_NE(mkdtemp(name.data()), nullptr);
-    folder = name;
-  }
-  void TearDown() override { fs::remove_all(folder); }
-
   Ended litmus(const std::string& arguments) const {
-    const std::string line = "cd '" + folder.string() +
-                             "' && env PATH=/nonexistent " LITMUS_PROGRAM " " + arguments + " 2>&1";
-    FILE* pipe = popen(line.c_str(), "r");
-    Ended ended;
-    std::array<char, 4096> buffer;
-    while (const std::size_t n = fread(buffer.data(), 1, buffer.size(), pipe))
-      ended.text.append(buffer.data(), n);
-    const int status = pclose(pipe);
-    ended.code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-    return ended;
+    return ProgramTest::litmus(arguments, "PATH=/nonexistent");
   }
-
-  fs::path folder;
 };
 
 TEST_F(CostProgram, WritesAPageAndJsonAndSaysWhatIsMissing) {

@@ -1,13 +1,9 @@
 // explain_test.cpp: litmus explain and litmus render --terms as a person uses them.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -16,7 +12,7 @@
 
 #include "compare/image_io.h"
 #include "scene/load.h"
-#include "test_paths.h"
+#include "tests/cli/program_test.h"
 
 namespace litmus {
 namespace {
@@ -25,33 +21,11 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 using testing::Not;
 
-struct Ended {
-  int code = -1;
-  std::string text;  ///< standard output and error
-};
-
-class ExplainCommand : public testing::Test {
+/// Without a renderer in sight.
+class ExplainCommand : public ProgramTest {
  protected:
-  void SetUp() override {
-    std::string name = fs::temp_directory_path() / "litmus-test-XXXXXX";
-    ASSERT_NE(mkdtemp(name.data()), nullptr);
-    folder = name;
-  }
-  void TearDown() override { fs::remove_all(folder); }
-
-  /// Runs litmus in the test's folder, with a store of its own and without renderers.
   Ended litmus(const std::string& arguments) const {
-    const std::string line = "cd '" + folder.string() + "' && env PATH=/nonexistent " +
-                             "XDG_CACHE_HOME='" + folder.string() + "/cache' " LITMUS_PROGRAM " " +
-                             arguments + " 2>&1";
-    FILE* pipe = popen(line.c_str(), "r");
-    Ended ended;
-    std::array<char, 4096> buffer;
-    while (const std::size_t n = fread(buffer.data(), 1, buffer.size(), pipe))
-      ended.text.append(buffer.data(), n);
-    const int status = pclose(pipe);
-    ended.code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-    return ended;
+    return ProgramTest::litmus(arguments, "PATH=/nonexistent");
   }
 
   nlohmann::json json(const std::string& arguments) const {
@@ -70,8 +44,6 @@ class ExplainCommand : public testing::Test {
     ASSERT_NE(at, std::string::npos);
     std::ofstream(folder / file) << changed.replace(at, from.size(), to);
   }
-
-  fs::path folder;
 };
 
 TEST_F(ExplainCommand, WritesTheEquationWithNumbersLightByLight) {
