@@ -54,11 +54,11 @@ TEST(BoundedRelations, ScalingByThreeMovesTheLastDigitsOnly) {
 // coordinates near 1000 have lost ten bits.
 TEST(BoundedRelations, TranslationByAThousandCostsTenBits) {
   for (const Scene& scene : scenes()) {
-    // At this size the edges of the chart's tiles pass through pixel centres: a tie, which flips.
-    if (scene.name.starts_with("w2-")) continue;
     const Distance d = distance(render(scene), render(moved(scene, translation(0x1p10))));
     EXPECT_LE(d.largest, 1e-9) << scene.name;
-    EXPECT_EQ(d.flipped, 0) << scene.name;
+    // At this size the edges of the chart's tiles pass through 32 pixel centres: a tie, which
+    // flips.
+    EXPECT_LE(d.flipped, scene.name.starts_with("w2-") ? 32 : 0) << scene.name;
   }
 }
 

@@ -164,11 +164,13 @@ TEST(Agreement, IsOfCamerasToo) {
   for (const Case& entry : study_of("").cases) {
     for (const CaseReference& reference : entry.references) {
       const Registration& found = reference.registration;
-      // p9 is a floor so evenly lit that Blender's rounding outweighs what could shift.
-      if (!found.determined || entry.scene == "p9-far") continue;
+      if (!found.determined) continue;
       ++determined;
-      EXPECT_LT(std::hypot(found.dx, found.dy), 1e-3) << entry.scene << ", " << reference.reference;
-      EXPECT_NEAR(found.scale, 1, 1e-5) << entry.scene << ", " << reference.reference;
+      // p9 is a floor so evenly lit that Blender's rounding shows as 1.5e-3 px.
+      const double much = entry.scene == "p9-far" ? 4 : 1;
+      EXPECT_LT(std::hypot(found.dx, found.dy), much * 1e-3)
+          << entry.scene << ", " << reference.reference;
+      EXPECT_NEAR(found.scale, 1, much * 1e-5) << entry.scene << ", " << reference.reference;
     }
   }
   EXPECT_GE(determined, 50);
