@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "scene/bands.h"
 #include "scene/overload.h"
 #include "tracer/explain.h"
 
@@ -132,7 +133,7 @@ double mirrored_excess(const LightExplanation& light, const Explanation& pixel) 
   return excess * light.weight;
 }
 
-void use_mirrored_ray(const Scene& scene, Rendering& rendering) {
+void use_mirrored_ray(const Scene& scene, Layers& layers) {
   const auto shiny = [](const Material& material) { return material.specular != Color(0); };
   if (scene.samples > 1 || std::none_of(scene.materials.begin(), scene.materials.end(), shiny))
     return;
@@ -142,10 +143,8 @@ void use_mirrored_ray(const Scene& scene, Rendering& rendering) {
       const Explanation pixel = at(x, y);
       if (!pixel.hit || !shiny(pixel.material)) continue;
       for (std::size_t k = 0; k < pixel.lights.size(); ++k) {
-        const glm::dvec3 change = pixel.material.specular * pixel.lights[k].light_specular *
-                                  mirrored_excess(pixel.lights[k], pixel);
-        rendering.layers[k + 1].picture.at(x, y) += change;
-        rendering.whole.at(x, y) += change;
+        layers[k + 1].picture.at(x, y) += pixel.material.specular * pixel.lights[k].light_specular *
+                                          mirrored_excess(pixel.lights[k], pixel);
       }
     }
 }
@@ -177,6 +176,22 @@ const Control* find_control(std::string_view name) {
   const auto found = std::find_if(std::begin(kControls), std::end(kControls),
                                   [&](const Control& control) { return control.name == name; });
   return found == std::end(kControls) ? nullptr : &*found;
+}
+
+BandRendering render_with(const Control* control, Scene& scene, RenderOptions& options) {
+  if (control) control->apply(scene, options);
+  BandRendering bands = render_bands(scene, options, KeepBands::Layers);
+  if (!control || !control->alter) return bands;
+  Rendering& rendering = bands.rendering;
+  if (scene.spectra) {
+    const std::vector<Scene> threes = band_scenes(scene);
+    for (std::size_t p = 0; p < threes.size(); ++p) control->alter(threes[p], bands.pictures[p]);
+    rendering.layers = srgb_layers(*scene.spectra, bands.pictures);
+  } else {
+    control->alter(scene, rendering.layers);
+  }
+  rendering.whole = sum(rendering.layers);
+  return bands;
 }
 
 }  // namespace litmus

@@ -69,8 +69,13 @@ std::vector<CaseLayer> own_layers(Rendering rendering) {
     Layer& layer = rendering.layers[k];
     std::vector<std::uint8_t> edge = edge_mask(rendering.signatures[k]);
     for (std::size_t i = 0; i < edge.size(); ++i) any[i] |= edge[i];
-    layers.push_back({layer.light, layer.light_type, std::move(layer.picture), std::move(edge), {},
-                      {}, std::move(rendering.flags[k])});
+    layers.push_back({layer.light,
+                      layer.light_type,
+                      std::move(layer.picture),
+                      std::move(edge),
+                      {},
+                      {},
+                      std::move(rendering.flags[k])});
   }
   layers.push_back({"all", "all", std::move(rendering.whole), std::move(any), {}, {}});
   return layers;
@@ -161,8 +166,7 @@ void compare_with_references(const Case& entry, const ObtainedReference& images,
       const CaseLayer::Theirs& reference = layer.theirs[r];
       if (reference.source.empty()) continue;
       const CaseLayer between{layer.light, layer.light_type, reference.picture, layer.edge, {}, {}};
-      const Picture theirs =
-          theirs_beyond_rounding(reference.picture, images, k, extra.encoding);
+      const Picture theirs = theirs_beyond_rounding(reference.picture, images, k, extra.encoding);
       for (Comparison& row : compare_layer(between, k, theirs, kToleranceOfCandidates, probe)) {
         row.scene = entry.scene, row.reference = extra.name, row.source = images.source;
         row.light = layer.light, row.light_type = layer.light_type;
@@ -203,11 +207,9 @@ Study run_study(std::span<const Scene> scenes, const StudyOptions& options) {
     Scene ours = scenes[i];
     RenderOptions render_options;
     render_options.threads = options.threads;
-    if (control) control->apply(ours, render_options);
-    BandRendering bands = render_bands(ours, render_options, KeepBands::Layers);
+    BandRendering bands = render_with(control, ours, render_options);
     const std::optional<BandSide> spectral = band_side(ours, render_options, bands);
     Rendering& rendering = bands.rendering;
-    if (control && control->alter) control->alter(ours, rendering);
 
     Case entry{ours.name,
                nearby(ours.file),

@@ -187,11 +187,10 @@ struct Touched {
 Touched touched_by(const Control& control) {
   Touched touched;
   for (const Scene& scene : changed_by(control)) {
-    Scene mistaken = scene;
-    RenderOptions options;
-    control.apply(mistaken, options);
-    Rendering right = render(scene), wrong = render(mistaken, options);
-    if (control.alter) control.alter(mistaken, wrong);
+    Scene same = scene, mistaken = scene;
+    RenderOptions plain, options;
+    Rendering right = render_with(nullptr, same, plain).rendering,
+              wrong = render_with(&control, mistaken, options).rendering;
     right.layers.push_back({"all", "all", right.whole});
     wrong.layers.push_back({"all", "all", wrong.whole});
     for (std::size_t k = 0; k < right.layers.size(); ++k) {
