@@ -1,21 +1,16 @@
 // render.cpp: litmus render, our own picture of a scene.
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <sstream>
-
 #include "cli/commands.h"
+#include "cli/render_settings.h"
+#include "cli/render_terms.h"
 #include "compare/image_io.h"
 #include "compare/whole_file.h"
 #include "scene/bands.h"
 #include "scene/load.h"
 #include "scene/refusal.h"
-#include "tracer/area_sampling.h"
 #include "tracer/autotune.h"
 #include "tracer/bands.h"
-#include "tracer/explain.h"
-#include "tracer/kernel.h"
-#include "tracer/render.h"
 
 namespace litmus {
 namespace {
@@ -30,87 +25,6 @@ struct Options {
   std::string metric = "max";
 };
 
-constexpr Precision kPrecisions[] = {Precision::Float, Precision::Double, Precision::LongDouble,
-                                     Precision::Quad};
-
-std::vector<std::string> precision_names() {
-  std::vector<std::string> names;
-  for (const Precision precision : kPrecisions) names.emplace_back(precision_name(precision));
-  return names;
-}
-
-Precision precision_of(const std::string& name) {
-  for (const Precision precision : kPrecisions)
-    if (precision_name(precision) == name) return precision;
-  return Precision::Double;
-}
-
-std::vector<std::string> sampler_names() {
-  std::vector<std::string> names;
-  for (const Sampler sampler : kSamplers) names.emplace_back(sampler_name(sampler));
-  return names;
-}
-
-Sampler sampler_of(const std::string& name) {
-  for (const Sampler sampler : kSamplers)
-    if (sampler_name(sampler) == name) return sampler;
-  return Sampler::Scene;
-}
-
-// ---- Kernel and effects ----------------------------------------------------------------------
-
-/// "auto", "scalar", "packet", and the kinds of processors that this one is.
-std::vector<std::string> kernel_names() {
-  std::vector<std::string> names{"auto", "scalar", "packet"};
-  for (const PacketKernel& kernel : packet_kernels()) names.emplace_back(kernel.target);
-  return names;
-}
-
-void set_kernel(const std::string& name, RenderOptions& options) {
-  if (name == "auto") return;
-  options.kernel = name == "scalar" ? Kernel::Scalar : Kernel::Packet;
-  if (name != "scalar" && name != "packet") options.target = name;
-  const bool has_packets =
-      options.precision == Precision::Float || options.precision == Precision::Double;
-  if (options.kernel == Kernel::Packet && (!has_packets || packet_kernels().empty()))
-    throw Refusal(
-        fmt::format("--kernel: {} has no packets; they are of float and double, on "
-                    "processors with AVX2: leave out --kernel",
-                    precision_name(options.precision)));
-}
-
-Effects effects_named(const std::string& list, const Scene& scene) {
-  if (list == "needed") return effects_of(scene);
-  if (list == "all") return all_effects();
-  Effects effects;
-  std::string names = "all, needed";
-  for (const EffectName& effect : effect_names()) names += fmt::format(", {}", effect.name);
-  std::istringstream words(list);
-  for (std::string word; std::getline(words, word, ',');) {
-    const auto found = std::ranges::find(effect_names(), word, &EffectName::name);
-    if (found == effect_names().end())
-      throw Refusal(fmt::format("--effects: no effect \"{}\"; there are {}", word, names));
-    effects.*found->member = true;
-  }
-  return effects;
-}
-
-/// What was evaluated, and how often: one line each, name and number.
-void print_stats(const Scene& scene, const Effects& effects, const Rendering& rendering) {
-  const Effects needed = effects_of(scene);
-  for (const EffectName& effect : effect_names()) {
-    const bool on = effects.*effect.member, called_for = needed.*effect.member;
-    fmt::print("{:<14} {:<10} {}\n", effect.name, on ? "evaluated" : "left out",
-               on == called_for ? ""
-               : called_for     ? "(the scene calls for it)"
-                                : "(not called for)");
-  }
-  for (const CountName& count : count_names())
-    fmt::print("{:<14} {}\n", count.name, rendering.counts.*count.member);
-  fmt::print("{:<14} {}\n{:<14} {:.6f}\n", "kernel", rendering.target, "seconds",
-             rendering.seconds);
-}
-
 Picture chosen(const Rendering& rendering, const std::string& light, const Scene& scene) {
   if (light.empty() || light == "all") return rendering.whole;
   std::string names = "all";
@@ -122,63 +36,17 @@ Picture chosen(const Rendering& rendering, const std::string& light, const Scene
       fmt::format("--light: {} has no light \"{}\"; it has {}", scene.name, light, names));
 }
 
+/// Refuses a name that no picture can have, before it is rendered.
+void check_name(const char* option, const std::filesystem::path& file) {
+  if (!file.empty() && file.extension() != ".exr" && file.extension() != ".png")
+    throw Refusal(
+        fmt::format("{}: {}: litmus writes .exr (32-bit float, linear) and .png (8-bit sRGB)",
+                    option, file.string()));
+}
+
 void write_any(const std::filesystem::path& file, const Picture& picture) {
-  if (file.extension() == ".exr") return write_picture(file, picture);
   if (file.extension() == ".png") return write_whole(file, encode_png(picture));
-  throw Refusal(fmt::format(
-      "-o: {}: litmus writes .exr (32-bit float, linear) and .png (8-bit sRGB)", file.string()));
-}
-
-// ---- The terms of the equation ---------------------------------------------------------------
-
-Layer scalar_layer(const Scene& scene, const TermPicture& term, std::string_view type) {
-  Layer layer{fmt::format("{}.{}", term.light, term.term), std::string(type),
-              Picture(scene.width, scene.height)};
-  for (std::size_t i = 0; i < term.values.size(); ++i)
-    layer.picture.pixels[i] = glm::dvec3(term.values[i]);
-  return layer;
-}
-
-/// ka, kd and ks of the material seen, then each light's terms.
-Layers term_layers(const Scene& scene) {
-  Layers layers;
-  const std::vector<int> objects = objects_seen(scene);
-  for (const auto& [name, member] : {std::pair{"ka", &Material::ambient},
-                                     {"kd", &Material::diffuse},
-                                     {"ks", &Material::specular}}) {
-    layers.push_back({name, "material", Picture(scene.width, scene.height)});
-    for (std::size_t i = 0; i < objects.size(); ++i) {
-      if (objects[i] < 0) continue;
-      const Object& object = scene.objects[std::size_t(objects[i])];
-      layers.back().picture.pixels[i] = scene.materials[std::size_t(object.material)].*member;
-    }
-  }
-  for (const TermPicture& term : term_pictures(scene)) {
-    for (const Light& light : scene.lights)
-      if (light.name == term.light) layers.push_back(scalar_layer(scene, term, light_type(light)));
-  }
-  return layers;
-}
-
-/// The colours that turn the layers into the picture again.
-Metadata term_metadata(const Scene& scene) {
-  const auto text = [](const Color& c) { return fmt::format("{} {} {}", c.x, c.y, c.z); };
-  const bool equation = scene.shading == Shading::Equation;
-  Metadata metadata;
-  Color ambient = scene.ambient;
-  for (const Light& light : scene.lights) {
-    if (equation) ambient += light.intensity * light.ambient;
-    metadata[light.name + ".Id"] = text(light.intensity * light.diffuse);
-    metadata[light.name + ".Is"] =
-        text(light.intensity * (equation ? light.specular : light.diffuse));
-  }
-  metadata["Ia"] = text(ambient);
-  if (scene.spectra)
-    metadata["spectral"] = "ka, kd, ks, Ia, Id and Is are RGB colours in place of spectra";
-  metadata["picture"] =
-      equation ? "ka Ia + sum over lights of kd Id diffuse + ks Is specular"
-               : "sum over lights of lamps * visibility * ka Ia + kd Id diffuse + ks Is specular";
-  return metadata;
+  write_picture(file, picture);
 }
 
 int run_terms(const Options& options, const Scene& scene) {
@@ -224,10 +92,13 @@ ErrorMetric metric_of(const std::string& name) {
 
 int run_tuned(const Options& options, const Scene& scene) {
   if (options.precision != "double" || options.sampler != "scene" || options.area_samples != 0 ||
-      !options.light.empty() || !options.bound.empty()) {
+      options.kernel != "auto" || options.effects != "needed" || options.stats ||
+      !options.light.empty() || !options.bound.empty() || !options.spectral.empty()) {
     throw Refusal(
-        "--max-error: chooses --precision, --sampler, --area-samples and the samples of a pixel, "
-        "and writes the whole picture; leave out these, --light and --bound");
+        "--max-error: chooses the settings itself and writes the whole picture; leave out "
+        "--precision, --sampler, --area-samples, --kernel, --effects, --stats, --light, --bound "
+        "and "
+        "--spectral");
   }
   const Tuned tuned = tune(scene, {.max_error = options.max_error,
                                    .metric = metric_of(options.metric),
@@ -248,6 +119,8 @@ int run_tuned(const Options& options, const Scene& scene) {
 int run(const Options& options) {
   if (options.output.empty() && options.spectral.empty())
     throw Refusal("-o: give a file to write, .exr or .png");
+  check_name("-o", options.output);
+  check_name("--bound", options.bound);
   Scene scene = load_scene(find_scene(options.scene));
   if (options.width > 0) scene.width = options.width;
   if (options.height > 0) scene.height = options.height;
@@ -267,8 +140,8 @@ int run(const Options& options) {
     throw Refusal("--bound: only --sampler certified knows a bound");
   if (!options.bound.empty() && scene.spectra)
     throw Refusal("--bound: of a spectral scene there is none");
-  const Rendering rendering = options.spectral.empty() ? render(scene, settings)
-                                                       : run_spectral(options, scene, settings);
+  const Rendering rendering =
+      options.spectral.empty() ? render(scene, settings) : run_spectral(options, scene, settings);
   if (!options.bound.empty()) write_any(options.bound, rendering.bound);
   if (options.output.empty()) return kPass;
   if (options.light == "each") {
