@@ -44,8 +44,8 @@ std::string chip_value(const Tally& rows) {
   if (rows.failure != nullptr && rows.failure->max_abs <= rows.failure->tolerance)
     return "mean " + short_number(rows.failure->mean_abs);
   if (rows.failure != nullptr) return short_number(rows.failure->max_abs);
-  if (rows.interior == nullptr) return rows.skipped > 0 ? "skipped" : "";
-  return short_number(rows.interior->max_abs);
+  if (rows.largest == nullptr) return rows.skipped > 0 ? "skipped" : "";
+  return short_number((rows.interior != nullptr ? rows.interior : rows.largest)->max_abs);
 }
 
 std::string chip_sentence(const Tally& rows, const std::string& reference) {

@@ -1,4 +1,4 @@
-// html_overview.cpp: the head and the matrix of report.html, as data for the page's template.
+// html_overview.cpp: the head of report.html, as data for the page's template.
 #include "reports/html_overview.h"
 
 #include <fmt/format.h>
@@ -28,11 +28,6 @@ const Case* find_case(const Study& study, const std::string& scene) {
 std::string row_anchor(const Study& study, const Comparison& row) {
   const Case* one = find_case(study, row.scene);
   return one == nullptr ? "" : layer_anchor(study, *one, row.light);
-}
-
-std::string short_title(const std::string& reference) {
-  const std::string title = reference_title(reference);
-  return title.substr(0, title.find(' '));
 }
 
 constexpr std::size_t kListedFailures = 10;  // in the page's head; the matrix has them all
@@ -280,51 +275,6 @@ data candidates_data(const Study& study) {
     list.push_back(one);
   }
   return list;
-}
-
-data matrix_heads(const Study& study) {
-  data heads{data::type::list};
-  for (const std::string& type : light_types_of(study)) {
-    data references{data::type::list};
-    for (const std::string& reference : references_of(study)) {
-      data one;
-      one.set("short", text_data(short_title(reference)));
-      one.set("name", text_data(reference));
-      references.push_back(one);
-    }
-    data head;
-    head.set("key", text_data(type));
-    head.set("type", text_data(type == "all" ? "whole" : type));
-    head.set("references", references);
-    heads.push_back(head);
-  }
-  return heads;
-}
-
-data matrix_row(const Study& study, const Case& one) {
-  data cells{data::type::list};
-  for (const std::string& type : light_types_of(study))
-    for (const std::string& reference : references_of(study)) {
-      const Tally rows = tally(study, [&](const Comparison& row) {
-        return row.scene == one.scene && row.light_type == type && row.reference == reference;
-      });
-      data cell = chip(rows, reference);
-      const Comparison* shown = rows.failure != nullptr ? rows.failure : rows.interior;
-      cell.set("zero", flag(shown != nullptr && shown->verdict == "pass" && shown->max_abs == 0));
-      cell.set("type", text_data(type));
-      cell.set("name", text_data(reference));
-      cell.set("empty", flag(rows.rows == 0));
-      cell.set("filled", flag(rows.rows > 0));
-      cell.set("label",
-               text_data((type == "all" ? "whole" : type) + ", " + short_title(reference)));
-      cell.set("anchor", shown != nullptr ? row_anchor(study, *shown) : case_anchor(study, one));
-      cells.push_back(cell);
-    }
-  const Tally all = tally(study, [&](const Comparison& row) { return row.scene == one.scene; });
-  data result;
-  result.set("cells", cells);
-  result.set("row_verdict", verdict_of(all));
-  return result;
 }
 
 }  // namespace litmus

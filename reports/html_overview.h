@@ -1,4 +1,4 @@
-// html_overview.h: the head and the matrix of report.html, as data for the page's template.
+// html_overview.h: the head of report.html, as data for the page's template.
 #pragma once
 
 #include <kainjow/mustache.hpp>
@@ -46,11 +46,5 @@ kainjow::mustache::data informative_data(const Study& study);
 
 /// The candidates, their encodings and what those cannot show.
 kainjow::mustache::data candidates_data(const Study& study);
-
-/// The matrix's columns: light types, each with all references.
-kainjow::mustache::data matrix_heads(const Study& study);
-
-/// The matrix's row of one scene, a cell for each column.
-kainjow::mustache::data matrix_row(const Study& study, const Case& one);
 
 }  // namespace litmus

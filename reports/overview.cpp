@@ -29,6 +29,7 @@ void add(Tally& result, const Comparison& row) {
   result.stored += row.source == "stored";
   result.computed += row.source == "computed";
   result.nonfinite += row.nonfinite;
+  keep_largest(result.largest, row, &Comparison::max_abs);
   if (row.region == "interior") keep_largest(result.interior, row, &Comparison::max_abs);
   if (row.region == "interior") keep_largest(result.mean, row, &Comparison::mean_abs);
   if (row.region == "edge") {

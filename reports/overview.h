@@ -18,6 +18,7 @@ struct Tally {
   std::int64_t over = 0,
                explained = 0;  ///< edge pixels over their tolerance; those with a known cause
   const Comparison* interior = nullptr;  ///< the interior row with the largest max_abs
+  const Comparison* largest = nullptr;   ///< the row of any region with the largest max_abs
   const Comparison* mean = nullptr;      ///< the interior row with the largest mean_abs
   const Comparison* edge = nullptr;      ///< the edge row with the largest max_abs
   const Comparison* failure = nullptr;   ///< the failed row that is furthest over its tolerance

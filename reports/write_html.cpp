@@ -14,6 +14,7 @@
 #include "reports/gallery.h"
 #include "reports/html_baseline.h"
 #include "reports/html_case.h"
+#include "reports/html_matrix.h"
 #include "reports/html_overview.h"
 #include "reports/overview.h"
 #include "reports/page_data.h"
@@ -159,7 +160,7 @@ data page_data(const Study& study, const std::vector<PageLink>& beside) {
     const Tally rows = tally(study, [&](const Comparison& row) { return row.scene == one->scene; });
     const bool open = rows.failed > 0 && opened++ < kOpened;
     data shown = case_data(study, *one, open);
-    shown.set("row", matrix_row(study, *one));
+    shown.set("lines", matrix_lines(study, *one));
     shown.set("pictures", pictures[std::size_t(one - study.cases.data())].get());
     const std::string inside = case_html(study, *one);
     shown.set("inside", open ? inside : "");
@@ -183,6 +184,7 @@ data page_data(const Study& study, const std::vector<PageLink>& beside) {
   set_list(page, "pairs", pairs_data(study));
   set_list(page, "informative", informative_data(study));
   set_list(page, "candidates", candidates_data(study));
+  page.set("light_types", light_types_data(study));
   page.set("matrix_heads", matrix_heads(study));
   page.set("reference_count",
            std::to_string(std::max<std::size_t>(1, references_of(study).size())));

@@ -44,26 +44,27 @@ document.addEventListener("toggle", (event) => {
 }, true);
 kDark.addEventListener("change", () => document.querySelectorAll("details.case[open]").forEach(paint));
 
-// Filters: the columns of a light type or a renderer, the rows with a cell of the verdict in them.
+// Filters: the lines with a cell of the type, renderer and verdict in them; the columns of both.
 const filters = ["type", "renderer", "verdict"].map((name) => $("filter-" + name));
+const lines = [...document.querySelectorAll(".matrix tbody tr")];
+const anchors = (some) => new Set(some.map((line) => line.dataset.anchor));
 function filter() {
   const [type, renderer, verdict] = filters.map((select) => select.value);
-  const fits = (e) => (!type || e.dataset.type === type) && (!renderer || e.dataset.reference === renderer);
-  const asked = (cell) => !verdict || (verdict === "bad" ? !cell.matches(".pass") : cell.matches("." + verdict));
-  for (const cell of document.querySelectorAll(".matrix [data-reference]")) cell.hidden = !fits(cell);
-  for (const head of document.querySelectorAll(".matrix th[data-type]:not([data-reference])")) {
-    head.hidden = type && head.dataset.type !== type;
+  const group = ["", "ambient", "all"].includes(type) ? type : "light";
+  const in_group = (e) => !group || e.dataset.group === group;
+  const by = (e) => !renderer || e.dataset.reference === renderer;
+  const asked = (cell) => (!type || cell.dataset.type === type) && by(cell) &&
+      (!verdict || (verdict === "bad" ? !cell.matches(".pass") : cell.matches("." + verdict)));
+  for (const cell of document.querySelectorAll(".matrix [data-reference]")) cell.hidden = !in_group(cell) || !by(cell);
+  for (const head of document.querySelectorAll(".matrix th[data-references]")) {
+    head.hidden = !in_group(head);
     head.colSpan = renderer ? 1 : head.dataset.references;
   }
-  let left = 0;
-  for (const row of document.querySelectorAll(".matrix tbody tr")) {
-    row.hidden = ![...row.querySelectorAll("td:not(.empty)")].some((cell) => fits(cell) && asked(cell));
-    document.getElementById(row.dataset.anchor).hidden = row.hidden;
-    left += !row.hidden;
-  }
-  $("filter-note").textContent = type || renderer || verdict ? `${left} of ${row_count} scenes` : "";
+  for (const line of lines) line.hidden = ![...line.querySelectorAll("td[data-type]")].some(asked);
+  const left = anchors(lines.filter((line) => !line.hidden));
+  for (const anchor of anchors(lines)) document.getElementById(anchor).hidden = !left.has(anchor);
+  $("filter-note").textContent = type || renderer || verdict ? `${left.size} of ${anchors(lines).size} scenes` : "";
 }
-const row_count = document.querySelectorAll(".matrix tbody tr").length;
 for (const select of filters) select.addEventListener("change", filter);
 filter();
 
