@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Options {
+struct ApproveArguments {
   std::vector<std::string> cases;
   fs::path results = "litmus-report/results.json", store = default_store_directory();
   std::string reason;
@@ -68,7 +68,7 @@ void choose(const Study& study, const std::string& word, std::vector<Chosen>& ch
                                              : "these results have no such reference"));
 }
 
-std::vector<Chosen> chosen_cases(const Study& study, const Options& options) {
+std::vector<Chosen> chosen_cases(const Study& study, const ApproveArguments& options) {
   std::vector<Chosen> chosen;
   for (const std::string& word : options.cases) choose(study, word, chosen);
   std::string refusals;
@@ -89,7 +89,7 @@ struct NewImage {
 
 /// The pictures that the results speak of, from the store or rendered again. Throws Refusal if they
 /// do not give the figures of the results: then nobody has looked at them.
-NewImage picture_of(const Study& results, const Chosen& chosen, const Options& options) {
+NewImage picture_of(const Study& results, const Chosen& chosen, const ApproveArguments& options) {
   const std::string where = chosen.entry->scene + "/" + chosen.reference;
   Scene scene = load_scene(chosen.entry->file);
   const Store store = open_store(
@@ -151,7 +151,7 @@ void write_tolerances(const fs::path& file, const std::string& text) {
   });
 }
 
-int run(const Options& options) {
+int run_approve(const ApproveArguments& options) {
   const Study results = read_results(options.results);
   const std::vector<Chosen> chosen = chosen_cases(results, options);
   std::vector<const Comparison*> rows;
@@ -182,7 +182,7 @@ int run(const Options& options) {
 }  // namespace
 
 void add_approve(Program& program) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ApproveArguments>();
   Subcommand command = program.add(
       "approve",
       "Accept failures of the last run: raise their tolerances, keep their live images as stored "
@@ -204,7 +204,7 @@ void add_approve(Program& program) {
       "Never approved: pixels that are not finite, unregistered pictures, a renderer that failed, "
       "a difference from a closed form.\n"
       "Example: litmus approve s5/blender --reason 'Cycles 4 rounds the cone once more' --dry-run");
-  command.on_run([options] { return run(*options); });
+  command.on_run([options] { return run_approve(*options); });
 }
 
 }  // namespace litmus

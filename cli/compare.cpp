@@ -17,7 +17,7 @@
 namespace litmus {
 namespace {
 
-struct Options {
+struct CompareArguments {
   std::filesystem::path ours, theirs;
   std::vector<std::string> samples;
   double tolerance = 1e-5;
@@ -35,7 +35,7 @@ struct Row {
 constexpr std::size_t kTriagePixels = 2'000'000;
 
 /// Part by part if both files have the same parts, else the first pictures.
-std::vector<Row> compare(const Options& options) {
+std::vector<Row> compare(const CompareArguments& options) {
   const Tolerance tolerance{options.tolerance, options.tolerance, "the caller's", false};
   std::vector<Row> rows;
   const auto add = [&](const std::string& name, const Picture& a, const Picture& b) {
@@ -99,7 +99,7 @@ void print_table(const std::vector<Row>& rows) {
   }
 }
 
-int run(const Options& options) {
+int run_compare(const CompareArguments& options) {
   if (!options.samples.empty())
     return compare_sample_files(options.samples, options.tolerance, options.json);
   if (options.theirs.empty()) throw Refusal("compare: give two image files, or --samples");
@@ -114,7 +114,7 @@ int run(const Options& options) {
 }  // namespace
 
 void add_compare(Program& program) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<CompareArguments>();
   Subcommand command = program.add("compare",
                                    "Compare two image files pixel by pixel, or two "
                                    "noisy renderers");
@@ -134,7 +134,7 @@ void add_compare(Program& program) {
   command.footer(
       "Example: litmus compare mine.exr theirs.exr --tolerance 1e-4\n"
       "         litmus compare --samples 'mine_*.exr' 'theirs_*.exr'");
-  command.on_run([options] { return run(*options); });
+  command.on_run([options] { return run_compare(*options); });
 }
 
 }  // namespace litmus

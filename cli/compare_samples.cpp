@@ -70,7 +70,7 @@ std::vector<Seeds> seeds_of(const std::string& pattern) {
   return result;
 }
 
-struct Row {
+struct SampleRow {
   std::string ours, theirs, layer;
   SampleComparison comparison;
   double p = 1;  ///< after Holm
@@ -82,8 +82,8 @@ int shuffles_for(std::size_t comparisons) {
   return int(std::min<std::size_t>(20000, 999 * comparisons));
 }
 
-std::vector<Row> compare_all(std::span<const std::string> patterns, double negligible) {
-  std::vector<Row> rows;
+std::vector<SampleRow> compare_all(std::span<const std::string> patterns, double negligible) {
+  std::vector<SampleRow> rows;
   for (std::size_t i = 0; i < patterns.size(); i += 2) {
     const std::vector<Seeds> ours = seeds_of(patterns[i]), theirs = seeds_of(patterns[i + 1]);
     if (ours.size() != theirs.size())
@@ -97,7 +97,7 @@ std::vector<Row> compare_all(std::span<const std::string> patterns, double negli
                       compare_samples(ours[k].pictures, theirs[k].pictures, options)});
   }
   std::vector<double> p;
-  for (const Row& row : rows) p.push_back(row.comparison.p);
+  for (const SampleRow& row : rows) p.push_back(row.comparison.p);
   p = holm(p);
   for (std::size_t i = 0; i < rows.size(); ++i) rows[i].p = p[i];
   return rows;
@@ -105,8 +105,8 @@ std::vector<Row> compare_all(std::span<const std::string> patterns, double negli
 
 constexpr const char* kChannels[] = {"red", "green", "blue"};
 
-void print_table(const std::vector<Row>& rows) {
-  for (const Row& row : rows) {
+void print_samples(const std::vector<SampleRow>& rows) {
+  for (const SampleRow& row : rows) {
     const SampleComparison& c = row.comparison;
     fmt::print("{} ({} seeds) against {} ({} seeds), {}: {}\n", row.ours, c.ours, row.theirs,
                c.theirs, row.layer, row.different() ? "DIFFERENT" : "no difference found");
@@ -128,14 +128,14 @@ void print_table(const std::vector<Row>& rows) {
                100 * rate.rate, rate.runs, rate.seeds, rate.size, rate.size);
 }
 
-void print_json(const std::vector<Row>& rows, double negligible) {
+void print_samples_json(const std::vector<SampleRow>& rows, double negligible) {
   using nlohmann::ordered_json;
   const auto finding = [](const Finding& f) {
     return ordered_json{
         {"p", f.p}, {"difference", f.difference}, {"channel", kChannels[f.channel]}, {"at", f.at}};
   };
   ordered_json list = ordered_json::array(), measured = ordered_json::array();
-  for (const Row& row : rows) {
+  for (const SampleRow& row : rows) {
     const SampleComparison& c = row.comparison;
     list.push_back({{"ours", row.ours},
                     {"theirs", row.theirs},
@@ -165,14 +165,14 @@ void print_json(const std::vector<Row>& rows, double negligible) {
 int compare_sample_files(std::span<const std::string> patterns, double negligible, bool json) {
   if (patterns.empty() || patterns.size() % 2 != 0)
     throw Refusal("--samples: give pairs of patterns: 'ours_*.exr' 'theirs_*.exr'");
-  const std::vector<Row> rows = compare_all(patterns, negligible);
-  for (const Row& row : rows)
+  const std::vector<SampleRow> rows = compare_all(patterns, negligible);
+  for (const SampleRow& row : rows)
     if (std::min(row.comparison.ours, row.comparison.theirs) < kEnoughSeeds)
       fmt::print(stderr,
                  "warning: {}, {}: fewer than {} seeds a side find little, and their verdict on "
                  "single pixels holds for normal noise only\n",
                  row.ours, row.layer, kEnoughSeeds);
-  json ? print_json(rows, negligible) : print_table(rows);
+  json ? print_samples_json(rows, negligible) : print_samples(rows);
   const bool different =
       std::any_of(rows.begin(), rows.end(), [](auto& r) { return r.different(); });
   return different ? kOutOfTolerance : kPass;

@@ -15,7 +15,7 @@
 namespace litmus {
 namespace {
 
-struct Options {
+struct CostArguments {
   std::string scene = "x4-area", command_line;
   std::filesystem::path out = "litmus-report";
   bool quick = false, references = false;
@@ -31,7 +31,7 @@ std::string now() {
   return text;
 }
 
-int run(const Options& options) {
+int run_cost(const CostArguments& options) {
   const Scene scene = load_scene(find_scene(options.scene));
   const WorkFolder work;
   std::filesystem::create_directories(options.out);
@@ -61,7 +61,7 @@ int run(const Options& options) {
 }  // namespace
 
 void add_cost(Program& program) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<CostArguments>();
   options->command_line = program.command_line;
   Subcommand command =
       program.add("cost", "Measure what accuracy costs in time, and write cost.html and cost.json");
@@ -76,7 +76,7 @@ void add_cost(Program& program) {
               "Pixels, instead of the scene's width or 96, whichever is less")
       .between(1, 1024);
   command.footer("Example: litmus cost r3-area-umbra --references --out cost");
-  command.on_run([options] { return run(*options); });
+  command.on_run([options] { return run_cost(*options); });
 }
 
 }  // namespace litmus

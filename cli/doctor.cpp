@@ -25,7 +25,7 @@ std::string missing_text(const Driver& driver) {
       driver.package);
 }
 
-int run() {
+int run_doctor() {
   std::vector<Scene> scenes;
   for (const auto& file : canonical_scenes()) scenes.push_back(load_scene(file));
   const Provenance provenance = provenance_of({});
@@ -54,7 +54,7 @@ void add_doctor(Program& program) {
   Subcommand command =
       program.add("doctor", "Say what is installed and what a missing thing costs");
   command.footer("Exit code 0: all is there; 3: something is missing.");
-  command.on_run([] { return run(); });
+  command.on_run([] { return run_doctor(); });
 }
 
 }  // namespace litmus

@@ -22,7 +22,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kNone = "none";
 
-struct Options {
+struct ExplainArguments {
   std::string scene, light, sources = "auto";
   std::vector<std::string> references;
   std::filesystem::path store = default_store_directory();
@@ -74,7 +74,7 @@ Layers explained_layers(const Scene& scene, const Layers& layers, int picture) {
 /// All references at the same time, from the store where it has them. `picture` counts the three
 /// bands of a spectral scene that are explained.
 std::vector<ReferencePixel> reference_pixels(const Scene& scene, int picture,
-                                             const Options& options) {
+                                             const ExplainArguments& options) {
   const std::vector<const Driver*> chosen = chosen_drivers(options.references);
   if (chosen.empty()) return {};
   const WorkFolder work;
@@ -201,7 +201,7 @@ void check_light(const Scene& scene, const std::string& name) {
   throw Refusal(fmt::format("--light: {} has no light \"{}\"; it has {}", scene.name, name, names));
 }
 
-int run(const Options& options) {
+int run_explain(const ExplainArguments& options) {
   const Scene loaded = load_scene(find_scene(options.scene));
   check_light(loaded, options.light);
   if (!loaded.spectra && options.wavelength > 0)
@@ -229,7 +229,7 @@ int run(const Options& options) {
 }  // namespace
 
 void add_explain(Program& program) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ExplainArguments>();
   std::vector<std::string> names{std::string(kNone)};
   for (const Driver& driver : drivers()) names.push_back(driver.name);
   Subcommand command =
@@ -258,7 +258,7 @@ void add_explain(Program& program) {
       .with_default();
   command.flag("--json", options->json, "For machines");
   command.footer("Example: litmus explain x5 120 90 --light spot --references stored");
-  command.on_run([options] { return run(*options); });
+  command.on_run([options] { return run_explain(*options); });
 }
 
 }  // namespace litmus

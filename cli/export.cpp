@@ -12,13 +12,13 @@
 namespace litmus {
 namespace {
 
-struct Options {
+struct ExportArguments {
   std::string scene, to;
   std::filesystem::path output = ".";
   bool native = false;
 };
 
-void write(const Options& options, const Exporter& exporter, const Scene& scene) {
+void write(const ExportArguments& options, const Exporter& exporter, const Scene& scene) {
   std::ostringstream text;
   (options.native ? exporter.write_native : exporter.write)(scene, text);
   const auto file =
@@ -28,7 +28,7 @@ void write(const Options& options, const Exporter& exporter, const Scene& scene)
   fmt::print("{}\n", file.string());
 }
 
-int run(const Options& options) {
+int run_export(const ExportArguments& options) {
   const Scene scene = load_scene(find_scene(options.scene));
   const Exporter* exporter = find_exporter(options.to);
   if (!options.native) {
@@ -48,7 +48,7 @@ int run(const Options& options) {
 }  // namespace
 
 void add_export(Program& program) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ExportArguments>();
   std::vector<std::string> names;
   for (const Exporter& exporter : exporters()) names.push_back(exporter.name);
   Subcommand command = program.add("export", "Write a scene for another renderer");
@@ -61,7 +61,7 @@ void add_export(Program& program) {
                "What a user of that renderer would write, at best fit; its header says what "
                "it cannot express");
   command.footer("Example: litmus export x3 --to blender -o exported");
-  command.on_run([options] { return run(*options); });
+  command.on_run([options] { return run_export(*options); });
 }
 
 }  // namespace litmus

@@ -51,7 +51,7 @@ void print_table(const std::vector<Scene>& scenes) {
   }
 }
 
-int run(bool json, const std::string& tag) {
+int run_list(bool json, const std::string& tag) {
   std::vector<Scene> scenes;
   for (const auto& file : canonical_scenes()) {
     Scene scene;
@@ -78,7 +78,7 @@ void add_list(Program& program) {
   command.flag("--json", *json, "For machines: name, about, light_types, tags, oracles, file");
   command.option("--tag", *tag, "Only scenes with this tag");
   command.footer("Example: litmus list --tag shadow");
-  command.on_run([json, tag] { return run(*json, *tag); });
+  command.on_run([json, tag] { return run_list(*json, *tag); });
 }
 
 }  // namespace litmus

@@ -10,12 +10,12 @@
 namespace litmus {
 namespace {
 
-struct Options {
+struct ReferenceArguments {
   std::string scene, with;
   std::filesystem::path output;
 };
 
-int run(const Options& options) {
+int run_reference(const ReferenceArguments& options) {
   const Scene scene = load_scene(find_scene(options.scene));
   const WorkFolder work;
   ObtainOptions obtain_options;
@@ -38,7 +38,7 @@ int run(const Options& options) {
 }  // namespace
 
 void add_reference(Program& program) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ReferenceArguments>();
   std::vector<std::string> names;
   for (const Driver& driver : drivers()) names.push_back(driver.name);
   Subcommand command = program.add("reference", "Render a scene with POV-Ray or Blender");
@@ -48,7 +48,7 @@ void add_reference(Program& program) {
       .option("-o,--output", options->output, "EXR file: one float part per light, ambient first")
       .required();
   command.footer("Example: litmus reference s5 --with povray -o s5-povray.exr");
-  command.on_run([options] { return run(*options); });
+  command.on_run([options] { return run_reference(*options); });
 }
 
 }  // namespace litmus

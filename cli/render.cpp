@@ -15,7 +15,7 @@
 namespace litmus {
 namespace {
 
-struct Options {
+struct RenderArguments {
   std::string scene, light;
   std::filesystem::path output, bound, spectral;
   std::string precision = "double", sampler = "scene", kernel = "auto", effects = "needed";
@@ -49,7 +49,7 @@ void write_any(const std::filesystem::path& file, const Picture& picture) {
   write_picture(file, picture);
 }
 
-int run_terms(const Options& options, const Scene& scene) {
+int run_terms(const RenderArguments& options, const Scene& scene) {
   if (!options.light.empty() || options.precision != "double")
     throw Refusal("--terms: writes all lights in double; leave out --light and --precision");
   if (!options.spectral.empty())
@@ -65,7 +65,8 @@ int run_terms(const Options& options, const Scene& scene) {
 }
 
 /// Writes what each wavelength band shows, and gives the rendering of it all.
-Rendering run_spectral(const Options& options, const Scene& scene, const RenderOptions& how) {
+Rendering run_spectral(const RenderArguments& options, const Scene& scene,
+                       const RenderOptions& how) {
   if (!scene.spectra)
     throw Refusal(
         fmt::format("--spectral: {} names no spectrum, so it has no wavelengths; give a "
@@ -90,7 +91,7 @@ ErrorMetric metric_of(const std::string& name) {
   return ErrorMetric::Max;
 }
 
-int run_tuned(const Options& options, const Scene& scene) {
+int run_tuned(const RenderArguments& options, const Scene& scene) {
   if (options.precision != "double" || options.sampler != "scene" || options.area_samples != 0 ||
       options.kernel != "auto" || options.effects != "needed" || options.stats ||
       !options.light.empty() || !options.bound.empty() || !options.spectral.empty()) {
@@ -116,7 +117,7 @@ int run_tuned(const Options& options, const Scene& scene) {
   return kOutOfTolerance;
 }
 
-int run(const Options& options) {
+int run_render(const RenderArguments& options) {
   if (options.output.empty() && options.spectral.empty())
     throw Refusal("-o: give a file to write, .exr or .png");
   check_name("-o", options.output);
@@ -158,7 +159,7 @@ int run(const Options& options) {
 }  // namespace
 
 void add_render(Program& program) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<RenderArguments>();
   Subcommand command = program.add("render", "Render a scene with litmus's own tracer");
   command.option("scene", options->scene, "Scene file or canonical name").required();
   command.option("-o,--output", options->output,
@@ -222,7 +223,7 @@ void add_render(Program& program) {
                "each light LIGHT.d, .l, .q, .alpha (radians), .decay, .l.n, .h.n, .power, "
                ".visibility, .diffuse and .specular, as far as it has them");
   command.footer("Example: litmus render s1 -o spot.exr --light lamp");
-  command.on_run([options] { return run(*options); });
+  command.on_run([options] { return run_render(*options); });
 }
 
 }  // namespace litmus

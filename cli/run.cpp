@@ -33,7 +33,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Options {
+struct RunArguments {
   std::vector<std::string> scenes, with, require;
   std::string sources = "auto", control, command, candidates, baseline, annotations = "auto";
   fs::path out = "litmus-report", store = default_store_directory();
@@ -69,7 +69,7 @@ std::vector<Scene> load_all(const std::vector<std::string>& names,
   return scenes;
 }
 
-StudyOptions study_options(const Options& options, const Store& store, const fs::path& work) {
+StudyOptions study_options(const RunArguments& options, const Store& store, const fs::path& work) {
   StudyOptions study;
   study.references = options.with;
   study.control = options.control;
@@ -110,7 +110,7 @@ void keep_as_stored(std::span<const Scene> scenes, const Study& study) {
 }
 
 /// Names that --require asks for and that were not rendered live for every scene.
-std::vector<std::string> missing_requirements(const Options& options, const Study& study) {
+std::vector<std::string> missing_requirements(const RunArguments& options, const Study& study) {
   std::vector<std::string> missing;
   for (const std::string& name : options.require) {
     bool live = false;
@@ -193,7 +193,7 @@ int exit_code_of(const Study& study) {
   return skipped || study.comparisons.empty() ? kIncomplete : kPass;
 }
 
-bool annotates(const Options& options) {
+bool annotates(const RunArguments& options) {
   const char* inside = std::getenv("GITHUB_ACTIONS");
   return options.annotations == "github" ||
          (options.annotations == "auto" && inside && std::string_view(inside) == "true");
@@ -201,7 +201,7 @@ bool annotates(const Options& options) {
 
 /// The results to compare with, read before anything is rendered. Throws Refusal if they are no
 /// results, or if the report would replace them.
-std::optional<Study> read_baseline(const Options& options) {
+std::optional<Study> read_baseline(const RunArguments& options) {
   if (options.baseline.empty()) return std::nullopt;
   Study baseline = read_results(options.baseline);
   std::error_code missing;
@@ -220,7 +220,7 @@ std::string utc_now() {
   return text;
 }
 
-int run(const Options& options) {
+int run_scenes(const RunArguments& options) {
   const auto start = std::chrono::steady_clock::now();
   const std::string started = utc_now();
   const std::optional<Study> baseline = read_baseline(options);
@@ -277,7 +277,7 @@ std::string control_help() {
 }  // namespace
 
 void add_run(Program& program) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<RunArguments>();
   options->command = program.command_line;
   Subcommand command = program.add("run", "Compare scenes with the references and write a report");
   command.option("scenes", options->scenes,
@@ -302,9 +302,10 @@ void add_run(Program& program) {
                "Measure the renderers' own lights, too; for information, never judged");
   command.option("--control", options->control, control_help());
   command
-      .option("--annotations", options->annotations,
-              "github: failures as lines that GitHub shows beside the scene's file; auto: inside of "
-              "GitHub; none")
+      .option(
+          "--annotations", options->annotations,
+          "github: failures as lines that GitHub shows beside the scene's file; auto: inside of "
+          "GitHub; none")
       .one_of({"auto", "github", "none"})
       .with_default();
   command.option("--baseline", options->baseline,
@@ -321,7 +322,7 @@ void add_run(Program& program) {
                "--fresh, and keep the live images as the stored references that ship with litmus");
   command.flag("-q,--quiet", options->quiet, "No progress");
   command.footer("Example: litmus run d2 s5 --references live --out report");
-  command.on_run([options] { return run(*options); });
+  command.on_run([options] { return run_scenes(*options); });
 }
 
 }  // namespace litmus

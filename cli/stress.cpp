@@ -14,7 +14,7 @@
 namespace litmus {
 namespace {
 
-struct Options {
+struct StressArguments {
   double samples = 2e6, rays = 1e7;
   std::filesystem::path out = "litmus-report";
   bool json = false, quiet = false, references = false;
@@ -63,7 +63,7 @@ void print_failures(const StressReport& report) {
   }
 }
 
-int run(const Options& options) {
+int run_stress(const StressArguments& options) {
   const auto start = std::chrono::steady_clock::now();
   StressOptions stress;
   stress.samples = std::uint64_t(options.samples), stress.rays = std::uint64_t(options.rays);
@@ -96,7 +96,7 @@ int run(const Options& options) {
 }  // namespace
 
 void add_stress(Program& program) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<StressArguments>();
   options->command = program.command_line;
   Subcommand command = program.add(
       "stress", "Put formulas and rays to hard cases, beside usual code that must fail there");
@@ -116,7 +116,7 @@ void add_stress(Program& program) {
   command.footer(
       "Exit code 0: every bound is kept and every control breaks its bound; 1: not so.\n"
       "Example: litmus stress --samples 1e5 --rays 1e6");
-  command.on_run([options] { return run(*options); });
+  command.on_run([options] { return run_stress(*options); });
 }
 
 }  // namespace litmus

@@ -8,13 +8,13 @@
 namespace litmus {
 namespace {
 
-std::size_t index(const Plane& plane, int x, int y) {
+std::size_t index(const Channel& plane, int x, int y) {
   return std::size_t(y) * std::size_t(plane.width) + std::size_t(x);
 }
 
-Plane along_rows(const Plane& plane, std::span<const double> kernel) {
+Channel along_rows(const Channel& plane, std::span<const double> kernel) {
   const int radius = int(kernel.size() / 2);
-  Plane result{plane.width, plane.height, std::vector<double>(plane.values.size())};
+  Channel result{plane.width, plane.height, std::vector<double>(plane.values.size())};
   std::vector<double> padded(std::size_t(plane.width + 2 * radius));
   for (int y = 0; y < plane.height; ++y) {
     for (int x = -radius; x < plane.width + radius; ++x)
@@ -27,9 +27,9 @@ Plane along_rows(const Plane& plane, std::span<const double> kernel) {
   return result;
 }
 
-Plane along_columns(const Plane& plane, std::span<const double> kernel) {
+Channel along_columns(const Channel& plane, std::span<const double> kernel) {
   const int radius = int(kernel.size() / 2);
-  Plane result{plane.width, plane.height, std::vector<double>(plane.values.size())};
+  Channel result{plane.width, plane.height, std::vector<double>(plane.values.size())};
   for (int y = 0; y < plane.height; ++y) {
     double* out = &result.values[index(plane, 0, y)];
     for (int k = 0; k < int(kernel.size()); ++k) {
@@ -43,7 +43,8 @@ Plane along_columns(const Plane& plane, std::span<const double> kernel) {
 
 }  // namespace
 
-Plane correlate(const Plane& plane, std::span<const double> across, std::span<const double> down) {
+Channel correlate(const Channel& plane, std::span<const double> across,
+                  std::span<const double> down) {
   return along_columns(along_rows(plane, across), down);
 }
 

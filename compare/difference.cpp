@@ -35,10 +35,6 @@ bool is_in(Region region, bool edge) {
   return region == Region::All || edge == (region == Region::Edge);
 }
 
-bool is_finite(const glm::dvec3& value) {
-  return std::isfinite(value.x) && std::isfinite(value.y) && std::isfinite(value.z);
-}
-
 struct Sums {
   Wide signed_sum = 0, absolute = 0, squares = 0;
   std::vector<double> magnitudes;  // |d| per channel

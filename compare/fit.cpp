@@ -32,10 +32,6 @@ double quantile(std::vector<double> values, double p) {
   return *nth;
 }
 
-bool is_finite(const glm::dvec3& v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
 /// The lit samples, sorted by theirs.
 std::vector<Point2> lit_samples(const Picture& ours, const Picture& theirs,
                                 std::span<const std::uint8_t> edge) {

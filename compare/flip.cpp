@@ -58,7 +58,7 @@ double hyab(const dvec3& a, const dvec3& b) {
 
 // ---- Colour pipeline ---------------------------------------------------------------------------
 
-using Planes = std::array<Plane, 3>;
+using Channels = std::array<Channel, 3>;
 
 /// The contrast sensitivity of one channel: the sum of terms a sqrt(pi / b) exp(-pi^2 x^2 / b), x
 /// in degrees ([L], table 1).
@@ -84,18 +84,18 @@ Blur blur_of(const Term& term, double pixels_per_degree) {
   return {normalised(kernel), term.a * std::sqrt(pi / term.b) * total * total};
 }
 
-Plane blurred(const Plane& plane, const Blur& blur) {
+Channel blurred(const Channel& plane, const Blur& blur) {
   return correlate(plane, blur.kernel, blur.kernel);
 }
 
 /// What the eye resolves of the picture, in Hunt-adjusted CIELAB.
-std::vector<dvec3> perceived(const Planes& opponents, double pixels_per_degree) {
-  const Plane achromatic = blurred(opponents[0], blur_of(kAchromatic, pixels_per_degree));
-  const Plane red_green = blurred(opponents[1], blur_of(kRedGreen, pixels_per_degree));
+std::vector<dvec3> perceived(const Channels& opponents, double pixels_per_degree) {
+  const Channel achromatic = blurred(opponents[0], blur_of(kAchromatic, pixels_per_degree));
+  const Channel red_green = blurred(opponents[1], blur_of(kRedGreen, pixels_per_degree));
   const Blur wide = blur_of(kBlueYellow[0], pixels_per_degree);
   const Blur narrow = blur_of(kBlueYellow[1], pixels_per_degree);
   const double share = wide.weight / (wide.weight + narrow.weight);
-  const Plane first = blurred(opponents[2], wide), second = blurred(opponents[2], narrow);
+  const Channel first = blurred(opponents[2], wide), second = blurred(opponents[2], narrow);
   std::vector<dvec3> result(achromatic.values.size());
   for (std::size_t i = 0; i < result.size(); ++i) {
     const double blue_yellow = share * first.values[i] + (1 - share) * second.values[i];
@@ -130,18 +130,18 @@ std::vector<double> balanced(std::vector<double> kernel) {
 }
 
 struct Features {
-  Plane edges, points;
+  Channel edges, points;
 };
 
-Plane magnitude(const Plane& a, const Plane& b) {
-  Plane result = a;
+Channel magnitude(const Channel& a, const Channel& b) {
+  Channel result = a;
   for (std::size_t i = 0; i < result.values.size(); ++i)
     result.values[i] = std::hypot(a.values[i], b.values[i]);
   return result;
 }
 
 /// First and second derivatives of a Gaussian over the luminance ([L], section 4.2).
-Features features(const Planes& opponents, double pixels_per_degree) {
+Features features(const Channels& opponents, double pixels_per_degree) {
   const double sigma = 0.5 * kFeatureWidth * pixels_per_degree;
   const int radius = int(std::ceil(3 * sigma));
   std::vector<double> smooth = gaussian(sigma, radius), first = smooth, second = smooth;
@@ -150,7 +150,7 @@ Features features(const Planes& opponents, double pixels_per_degree) {
     second[std::size_t(i + radius)] *= i * i / (sigma * sigma) - 1;
   }
   smooth = normalised(smooth), first = balanced(first), second = balanced(second);
-  Plane luminance = opponents[0];
+  Channel luminance = opponents[0];
   for (double& value : luminance.values) value = (value + 16) / 116;
   return {magnitude(correlate(luminance, first, smooth), correlate(luminance, smooth, first)),
           magnitude(correlate(luminance, second, smooth), correlate(luminance, smooth, second))};
@@ -159,8 +159,8 @@ Features features(const Planes& opponents, double pixels_per_degree) {
 // ---- Together ----------------------------------------------------------------------------------
 
 /// The planes of a picture of values in [0, 1].
-Planes opponents_of(const std::vector<dvec3>& shown, int width, int height) {
-  Planes planes;
+Channels opponents_of(const std::vector<dvec3>& shown, int width, int height) {
+  Channels planes;
   planes.fill({width, height, std::vector<double>(shown.size())});
   for (std::size_t i = 0; i < shown.size(); ++i) {
     const dvec3 color = opponent(shown[i]);
@@ -173,7 +173,7 @@ Planes opponents_of(const std::vector<dvec3>& shown, int width, int height) {
 /// LDR-FLIP at each pixel of two pictures of values in [0, 1].
 std::vector<double> error_map(const std::vector<dvec3>& ours, const std::vector<dvec3>& theirs,
                               int width, int height, double pixels_per_degree) {
-  const Planes a = opponents_of(ours, width, height), b = opponents_of(theirs, width, height);
+  const Channels a = opponents_of(ours, width, height), b = opponents_of(theirs, width, height);
   const std::vector<dvec3> seen_a = perceived(a, pixels_per_degree),
                            seen_b = perceived(b, pixels_per_degree);
   const Features mine = features(a, pixels_per_degree), other = features(b, pixels_per_degree);
@@ -187,10 +187,6 @@ std::vector<double> error_map(const std::vector<dvec3>& ours, const std::vector<
     errors[i] = std::pow(color, 1 - strength);
   }
   return errors;
-}
-
-bool is_finite(const dvec3& v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
 /// The pixels of one picture after `show`; black where either picture is not finite.

@@ -62,10 +62,6 @@ Sample sample(const Picture& picture, double x, double y) {
   return result;
 }
 
-bool is_finite(const glm::dvec3& v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
 /// 1 where the 5 x 5 pixels around one are inside, finite and of one smooth piece: no edge among
 /// the inner 3 x 3, each of which vouches for its own neighbours.
 std::vector<std::uint8_t> smooth_pixels(const Picture& ours, std::span<const std::uint8_t> edge) {

@@ -22,8 +22,8 @@ double encoded(double linear) {
   return v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055;
 }
 
-Plane shown(const Picture& picture, const Picture& other) {
-  Plane plane{picture.width, picture.height, std::vector<double>(picture.pixels.size())};
+Channel shown(const Picture& picture, const Picture& other) {
+  Channel plane{picture.width, picture.height, std::vector<double>(picture.pixels.size())};
   for (std::size_t i = 0; i < plane.values.size(); ++i) {
     const double own = luminance(picture.pixels[i]);
     if (std::isfinite(own) && std::isfinite(luminance(other.pixels[i])))
@@ -33,8 +33,8 @@ Plane shown(const Picture& picture, const Picture& other) {
 }
 
 /// The windowed mean of a * b.
-Plane mean_of_product(const Plane& a, const Plane& b, std::span<const double> window) {
-  Plane product = a;
+Channel mean_of_product(const Channel& a, const Channel& b, std::span<const double> window) {
+  Channel product = a;
   for (std::size_t i = 0; i < product.values.size(); ++i) product.values[i] *= b.values[i];
   return correlate(product, window, window);
 }
@@ -46,10 +46,10 @@ double ssim(const Picture& ours, const Picture& theirs) {
     throw SizeMismatch("SSIM: the pictures differ in size; render both at one size");
   if (ours.pixels.empty()) return 1;
   const std::vector<double> window = normalised(gaussian(kSigma, kRadius));
-  const Plane a = shown(ours, theirs), b = shown(theirs, ours);
-  const Plane mean_a = correlate(a, window, window), mean_b = correlate(b, window, window);
-  const Plane aa = mean_of_product(a, a, window), bb = mean_of_product(b, b, window),
-              ab = mean_of_product(a, b, window);
+  const Channel a = shown(ours, theirs), b = shown(theirs, ours);
+  const Channel mean_a = correlate(a, window, window), mean_b = correlate(b, window, window);
+  const Channel aa = mean_of_product(a, a, window), bb = mean_of_product(b, b, window),
+                ab = mean_of_product(a, b, window);
   const bool fits = a.width > 2 * kRadius && a.height > 2 * kRadius;
   const int border = fits ? kRadius : 0;
   double total = 0;

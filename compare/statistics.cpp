@@ -84,10 +84,6 @@ void require_usable(std::span<const Picture> side, const Picture& first, std::st
   }
 }
 
-bool is_finite(const glm::dvec3& v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
 bool is_grey(const Picture& picture) {
   return std::all_of(picture.pixels.begin(), picture.pixels.end(), [](const glm::dvec3& v) {
     return !is_finite(v) || (v.x == v.y && v.x == v.z);

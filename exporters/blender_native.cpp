@@ -21,8 +21,8 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 constexpr int kAreaRays = 256;  // samples a pixel of a picture with an area lamp
 
-void write_object(const Scene& scene, const Object& object, const std::string& material,
-                  std::ostream& out) {
+void write_native_object(const Scene& scene, const Object& object, const std::string& material,
+                         std::ostream& out) {
   const std::string start = python_label(object.name) + ", " + material;
   const std::string end = object.camera_visible ? ")\n" : ", visible=False)\n";
   std::visit(Overload{
@@ -165,7 +165,7 @@ void write_blender_native_sampled(const Scene& given, std::ostream& out, int are
   const std::vector<std::string> materials = write_blender_materials(scene, out);
   out << '\n';
   for (const Object& object : scene.objects) {
-    write_object(scene, object, materials.at(std::size_t(object.material)), out);
+    write_native_object(scene, object, materials.at(std::size_t(object.material)), out);
   }
   out << "\nfinish(" << python_string(blender_stem(given)) << ")\n";
 }

@@ -25,17 +25,17 @@ namespace fs = std::filesystem;
 const std::vector<std::string> kArguments = {
     "-b", "--factory-startup", "-Y", "--debug-cycles", "--python-exit-code", "9"};
 
-std::string exported(const Scene& scene) {
+std::string as_blender(const Scene& scene) {
   std::ostringstream out;
   write_blender(scene, out);
   return out.str();
 }
 
-std::string source(const Scene& scene) {
-  return fmt::format("{}\n{}\n", exported(without_words(scene)), fmt::join(kArguments, " "));
+std::string blender_source(const Scene& scene) {
+  return fmt::format("{}\n{}\n", as_blender(without_words(scene)), fmt::join(kArguments, " "));
 }
 
-std::optional<Installation> find() { return find_installation("blender", "Blender "); }
+std::optional<Installation> find_blender() { return find_installation("blender", "Blender "); }
 
 std::string label(std::size_t scene) { return fmt::format("{:04}", scene); }
 
@@ -122,7 +122,7 @@ void prepare(Batch& batch) {
   for (const std::size_t scene : batch.waiting) {
     try {
       fs::remove_all(batch.options.work / label(scene));
-      write_text(batch.options.work / (label(scene) + ".py"), exported(batch.scenes[scene]));
+      write_text(batch.options.work / (label(scene) + ".py"), as_blender(batch.scenes[scene]));
       ready.push_back(scene);
     } catch (const std::exception& error) {
       batch.report(scene, error.what());
@@ -227,8 +227,8 @@ Driver blender_driver() {
           .title = "Blender Cycles",
           .package = "blender",
           .revision = 1,
-          .find = find,
-          .source = source,
+          .find = find_blender,
+          .source = blender_source,
           .render = render};
 }
 

@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string exported(const Scene& scene) {
+std::string as_json(const Scene& scene) {
   std::ostringstream out;
   write_scene_json(scene, out);
   return out.str();
@@ -98,7 +98,7 @@ std::string version_of(const std::vector<std::string>& arguments) {
 std::string source(const Candidate& candidate, const Scene& scene) {
   return fmt::format("{}\n{}\n{}\n{}", fmt::join(candidate.command, "\n"),
                      name_of(candidate.encoding), candidate.encoding.exposure,
-                     exported(without_words(scene)));
+                     as_json(without_words(scene)));
 }
 
 std::string last_line(const std::string& text) {
@@ -119,7 +119,7 @@ ReferenceResult render_one(const Candidate& candidate, const Scene& scene, const
     fs::remove_all(folder);
     fs::create_directories(folder);
     const fs::path json = fs::absolute(folder / "scene.json");
-    write_whole(json, exported(scene));
+    write_whole(json, as_json(scene));
     const std::vector<std::string> names = layer_names(scene);
     for (std::size_t layer = 0; layer < names.size(); ++layer) {
       const fs::path output = fs::absolute(folder / fmt::format("layer-{}", layer));

@@ -38,7 +38,7 @@ fs::path frame_file(const Scene& scene, const std::string& stem, std::size_t lay
   return fmt::format("{}{:0{}}{}", stem, layer + 1, digits(scene), extension);
 }
 
-std::string exported(const Scene& scene) {
+std::string as_povray(const Scene& scene) {
   std::ostringstream out;
   write_povray(scene, out);
   return out.str();
@@ -54,13 +54,13 @@ std::vector<std::string> second_pass(const Scene& scene) {
   return arguments;
 }
 
-std::string source(const Scene& scene) {
-  return fmt::format("{}\n{}\n{}\n{}\n", exported(without_words(scene)), povray_residual(scene),
+std::string povray_source(const Scene& scene) {
+  return fmt::format("{}\n{}\n{}\n{}\n", as_povray(without_words(scene)), povray_residual(scene),
                      fmt::join(first_pass(scene), " "), fmt::join(second_pass(scene), " "));
 }
 
 // As in "POV-Ray 3.7.0.10.unofficial".
-std::optional<Installation> find() { return find_installation("povray", "POV-Ray "); }
+std::optional<Installation> find_povray() { return find_installation("povray", "POV-Ray "); }
 
 // One run of POV-Ray in the scene's folder. Throws std::runtime_error if it failed.
 struct Pass {
@@ -100,7 +100,7 @@ ReferenceResult render_one(const Installation& povray, const Scene& scene, const
   try {
     fs::remove_all(folder);
     fs::create_directories(folder);
-    write_text(folder / "scene.pov", exported(scene));
+    write_text(folder / "scene.pov", as_povray(scene));
     write_text(folder / "residual.pov", povray_residual(scene));
     for (const char* stem : {"scene", "residual"}) {
       result.log = folder / fmt::format("{}.log", stem);
@@ -225,8 +225,8 @@ Driver povray_driver() {
           .title = "POV-Ray",
           .package = "povray",
           .revision = 1,
-          .find = find,
-          .source = source,
+          .find = find_povray,
+          .source = povray_source,
           .render = render};
 }
 

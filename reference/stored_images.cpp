@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr int kSchema = 1;
+constexpr int kStoredSchema = 1;
 constexpr std::string_view kRemedy = "refresh with `litmus run --refresh`";
 
 fs::path file_of(const Scene& scene, std::string_view renderer, const fs::path& folder,
@@ -32,7 +32,7 @@ StoredReference read_stored(const Scene& scene, const fs::path& image, const fs:
   std::ifstream text(about);
   if (!text) throw Refusal(about.filename().string() + " is missing");
   const auto meta = Json::parse(text);
-  if (meta.at("schema") != kSchema) throw Refusal("of another schema");
+  if (meta.at("schema") != kStoredSchema) throw Refusal("of another schema");
   if (meta.at("scene_fingerprint") != fingerprint(scene))
     throw Refusal("made from another version of this scene");
   if (meta.at("checksum") != hash_file(image)) throw Refusal("damaged (checksum)");
@@ -85,7 +85,7 @@ void save_stored(const Scene& scene, std::string_view renderer, const StoredRefe
   fs::create_directories(image.parent_path(), error);
   if (error) throw Refusal(image.parent_path().string() + ": cannot be made: " + error.message());
   write_layers(image, images.layers);
-  const Json meta = {{"schema", kSchema},
+  const Json meta = {{"schema", kStoredSchema},
                      {"scene", scene.name},
                      {"scene_fingerprint", fingerprint(scene)},
                      {"renderer", renderer},

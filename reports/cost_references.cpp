@@ -11,7 +11,7 @@
 namespace litmus {
 namespace {
 
-constexpr int kRepeats = 7, kQuickRepeats = 3;
+constexpr int kReferenceRepeats = 7, kQuickRepeats = 3;
 
 /// One setting of a renderer.
 struct Setting {
@@ -57,7 +57,7 @@ void add_series(CostSeries series, const Driver& driver, const std::vector<Setti
   std::vector<Scene> scenes;
   for (const Setting& setting : settings) scenes.push_back(setting.scene);
   std::vector<std::vector<double>> seconds(settings.size());
-  for (int repeat = 0; repeat < (options.quick ? kQuickRepeats : kRepeats); ++repeat) {
+  for (int repeat = 0; repeat < (options.quick ? kQuickRepeats : kReferenceRepeats); ++repeat) {
     const auto start = std::chrono::steady_clock::now();
     const std::vector<ReferenceResult> results = run(driver, *installed, scenes, options);
     const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;

@@ -33,10 +33,6 @@ std::string layer_title(const CaseLayer& layer) {
   return layer.light == "ambient" ? "ambient light" : layer.light;
 }
 
-bool same_size(const Picture& a, const Picture& b) {
-  return a.width == b.width && a.height == b.height && a.width > 0;
-}
-
 // The figure that a chip shows: of a failure the figure that failed, else the worst interior one.
 std::string chip_value(const Tally& rows) {
   if (rows.nonfinite > 0) return "NaN";

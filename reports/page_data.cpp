@@ -17,7 +17,7 @@
 
 namespace litmus {
 namespace {
-using json = nlohmann::ordered_json;
+using nlohmann::ordered_json;
 
 constexpr int kTopExponent = 15;  // half floats end just below 2^16
 // Differences are kept to this part of the tolerance where a row of the scene fails, else to that.
@@ -51,11 +51,7 @@ int exponent_for(const Picture& picture) {
   return largest > 0 ? kTopExponent - std::ilogb(largest) - 1 : 0;
 }
 
-bool same_size(const Picture& a, const Picture& b) {
-  return a.width == b.width && a.height == b.height && a.width > 0;
-}
-
-json packed_json(const PackedPicture& picture) {
+ordered_json packed_json(const PackedPicture& picture) {
   return {{"exponent", picture.exponent}, {"delta", picture.delta}, {"data", picture.data}};
 }
 
@@ -68,13 +64,13 @@ const Comparison* row_of(const std::vector<Comparison>& rows, const Case& one,
   return nullptr;
 }
 
-json theirs_json(const Study& study, const Case& one, const CaseLayer& layer,
-                 const CaseLayer::Theirs& theirs, bool judged) {
+ordered_json theirs_json(const Study& study, const Case& one, const CaseLayer& layer,
+                         const CaseLayer::Theirs& theirs, bool judged) {
   const std::vector<Comparison>& rows = judged ? study.comparisons : study.informative;
-  json result{{"reference", clean_text(theirs.reference)},
-              {"title", clean_text(reference_title(theirs.reference))},
-              {"source", theirs.source},
-              {"judged", judged}};
+  ordered_json result{{"reference", clean_text(theirs.reference)},
+                      {"title", clean_text(reference_title(theirs.reference))},
+                      {"source", theirs.source},
+                      {"judged", judged}};
   double inside = 0;
   for (const Region region : {Region::Interior, Region::Edge}) {
     const Comparison* row = row_of(rows, one, layer, theirs.reference, region);
@@ -91,15 +87,15 @@ json theirs_json(const Study& study, const Case& one, const CaseLayer& layer,
   return result;
 }
 
-json layer_json(const Study& study, const Case& one, const CaseLayer& layer) {
+ordered_json layer_json(const Study& study, const Case& one, const CaseLayer& layer) {
   const std::string edge(layer.edge.begin(), layer.edge.end());
   const std::string flags(layer.flags.begin(), layer.flags.end());
-  json result{{"light", clean_text(layer.light)},
-              {"type", layer.light_type},
-              {"ours", packed_json(packed(layer.ours))},
-              {"edge", deflated(edge)},
-              {"flags", deflated(flags)},
-              {"theirs", json::array()}};
+  ordered_json result{{"light", clean_text(layer.light)},
+                      {"type", layer.light_type},
+                      {"ours", packed_json(packed(layer.ours))},
+                      {"edge", deflated(edge)},
+                      {"flags", deflated(flags)},
+                      {"theirs", ordered_json::array()}};
   for (const CaseLayer::Theirs& theirs : layer.theirs)
     if (same_size(layer.ours, theirs.picture))
       result["theirs"].push_back(theirs_json(study, one, layer, theirs, true));
@@ -111,15 +107,15 @@ json layer_json(const Study& study, const Case& one, const CaseLayer& layer) {
 
 // A picture that the scene has shown before is named by its place instead: the whole of one light
 // is that light.
-void name_repeated(json& layers) {
+void name_repeated(ordered_json& layers) {
   std::map<std::string, std::string> seen;
-  const auto once = [&](json& picture, const std::string& place) {
+  const auto once = [&](ordered_json& picture, const std::string& place) {
     const auto [known, fresh] = seen.emplace(picture.dump(), place);
-    if (!fresh) picture = json{{"same", known->second}};
+    if (!fresh) picture = ordered_json{{"same", known->second}};
   };
   for (std::size_t k = 0; k < layers.size(); ++k) {
     once(layers[k]["ours"], fmt::format("{}", k));
-    json& theirs = layers[k]["theirs"];
+    ordered_json& theirs = layers[k]["theirs"];
     for (std::size_t r = 0; r < theirs.size(); ++r)
       once(theirs[r]["difference"], fmt::format("{},{}", k, r));
   }
@@ -208,11 +204,11 @@ std::string scene_word(const Case& one) {
 }
 
 std::string pictures_json(const Study& study, const Case& one) {
-  json result{{"scene", clean_text(one.scene)},
-              {"word", scene_word(one)},
-              {"width", one.width},
-              {"height", one.height},
-              {"layers", json::array()}};
+  ordered_json result{{"scene", clean_text(one.scene)},
+                      {"word", scene_word(one)},
+                      {"width", one.width},
+                      {"height", one.height},
+                      {"layers", ordered_json::array()}};
   for (const CaseLayer& layer : one.layers)
     result["layers"].push_back(layer_json(study, one, layer));
   name_repeated(result["layers"]);

@@ -17,13 +17,13 @@
 
 namespace litmus {
 namespace {
-using json = nlohmann::ordered_json;
+using nlohmann::ordered_json;
 
 constexpr int kProbes = 400;       // pixels at which the scene has to be the one that was rendered
 constexpr double kSame = 1e-9;     // an explained pixel is the rendered one within 1e-12
 constexpr int kMostObjects = 254;  // in a byte, with one for the background
 
-json color(const glm::dvec3& c) { return {c.x, c.y, c.z}; }
+ordered_json color(const glm::dvec3& c) { return {c.x, c.y, c.z}; }
 
 bool is_what_was_rendered(const Scene& scene, const Case& one) {
   if (one.layers.empty() || scene.width != one.width || scene.height != one.height ||
@@ -42,7 +42,7 @@ bool is_what_was_rendered(const Scene& scene, const Case& one) {
   return true;
 }
 
-json packed_term(const TermPicture& term, const Scene& scene) {
+ordered_json packed_term(const TermPicture& term, const Scene& scene) {
   Picture grey(scene.width, scene.height);
   for (std::size_t i = 0; i < grey.pixels.size(); ++i)
     grey.pixels[i] = glm::dvec3(double(term.values[i]));
@@ -65,16 +65,16 @@ std::string bytes_of(const std::vector<Gate>& gates) {
   return bytes;
 }
 
-json light_json(const Light& light, const LightExplanation& at, const Scene& scene,
-                const std::vector<TermPicture>& pictures, const StopPicture& stops) {
-  json result{{"name", clean_text(light.name)},
-              {"type", light_type(light)},
-              {"lamps", at.lamps.size()},
-              {"diffuse", color(at.light_diffuse)},
-              {"specular", color(at.light_specular)},
-              {"gates", deflated(bytes_of(stops.gates))},
-              {"blockers", deflated(bytes_of(stops.blockers))},
-              {"terms", json::array()}};
+ordered_json light_json(const Light& light, const LightExplanation& at, const Scene& scene,
+                        const std::vector<TermPicture>& pictures, const StopPicture& stops) {
+  ordered_json result{{"name", clean_text(light.name)},
+                      {"type", light_type(light)},
+                      {"lamps", at.lamps.size()},
+                      {"diffuse", color(at.light_diffuse)},
+                      {"specular", color(at.light_specular)},
+                      {"gates", deflated(bytes_of(stops.gates))},
+                      {"blockers", deflated(bytes_of(stops.blockers))},
+                      {"terms", ordered_json::array()}};
   for (const TermPicture& picture : pictures)
     if (picture.light == light.name) result["terms"].push_back(packed_term(picture, scene));
   return result;
@@ -99,14 +99,14 @@ std::string terms_json(const Case& one) try {
   const std::vector<int> objects = objects_seen(scene);
   const Explanation at = somewhere(scene, objects);
   if (!at.hit) return "";
-  json result{{"code", scene.shading == Shading::SampleCode},
-              {"planted", control == nullptr ? "" : std::string(control->about)},
-              {"samples", scene.samples},
-              {"ambient", color(at.ambient)},
-              {"seen", deflated(bytes_of(objects))},
-              {"reasons", json::array()},
-              {"objects", json::array()},
-              {"lights", json::array()}};
+  ordered_json result{{"code", scene.shading == Shading::SampleCode},
+                      {"planted", control == nullptr ? "" : std::string(control->about)},
+                      {"samples", scene.samples},
+                      {"ambient", color(at.ambient)},
+                      {"seen", deflated(bytes_of(objects))},
+                      {"reasons", ordered_json::array()},
+                      {"objects", ordered_json::array()},
+                      {"lights", ordered_json::array()}};
   for (int gate = 0; gate <= int(Gate::Blocked); ++gate)
     result["reasons"].push_back(gate_reason(Gate(gate)));
   for (const Object& object : scene.objects) {

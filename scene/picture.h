@@ -16,11 +16,19 @@ struct Picture {
   Picture() = default;
   Picture(int width, int height)
       : width(width), height(height), pixels(std::size_t(width) * std::size_t(height)) {}
-  glm::dvec3& at(int x, int y) { return pixels[std::size_t(y) * std::size_t(width) + std::size_t(x)]; }
+  glm::dvec3& at(int x, int y) {
+    return pixels[std::size_t(y) * std::size_t(width) + std::size_t(x)];
+  }
   const glm::dvec3& at(int x, int y) const {
     return pixels[std::size_t(y) * std::size_t(width) + std::size_t(x)];
   }
 };
+
+/// Whether no channel is NaN or infinite.
+bool is_finite(const glm::dvec3& pixel);
+
+/// Whether both have pixels, and as many in a row and a column.
+bool same_size(const Picture& a, const Picture& b);
 
 /// What one light (or "ambient") adds to the picture.
 struct Layer {
@@ -35,8 +43,8 @@ using Layers = std::vector<Layer>;
 /// The whole picture: the layers added up in order. All layers have one size.
 Picture sum(const Layers& layers);
 
-/// What a light does to the samples of a pixel, as bits that are or-ed over its samples. Of the lamps
-/// that would light a sample's surface, none is hidden (lit), some are (penumbra), or all are
+/// What a light does to the samples of a pixel, as bits that are or-ed over its samples. Of the
+/// lamps that would light a sample's surface, none is hidden (lit), some are (penumbra), or all are
 /// (umbra); no bit where no lamp would. Highlight: (h.n)^ns of a lamp in view is above 1/2.
 inline constexpr std::uint8_t kLit = 1, kPenumbra = 2, kUmbra = 4, kHighlight = 8;
 

@@ -6,7 +6,7 @@
 namespace litmus {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 struct Named {
   const char* name;
@@ -34,14 +34,14 @@ std::vector<Named> hostile_lights() {
   return {
       {"spot straight above its centre", spot(0.4, 3)},
       {"spot with a skew axis", spot(0.7, 1, skew)},
-      {"spot of 0.1 degrees", spot(0.1 * kPi / 180, 1)},
+      {"spot of 0.1 degrees", spot(0.1 * pi / 180, 1)},
       {"spot with exponent 0", spot(0.4, 0)},
       {"spot with exponent 1e-6", spot(0.4, 1e-6)},
       {"spot with exponent 1e6", spot(0.4, 1e6)},
       {"spot with exponent 1e30", spot(0.4, 1e30)},
-      {"spot of 90 degrees", spot(kPi / 2, 2)},
-      {"spot of 120 degrees", spot(kPi * 2 / 3, 2)},
-      {"spot of 180 degrees", spot(kPi, 0.5)},
+      {"spot of 90 degrees", spot(pi / 2, 2)},
+      {"spot of 120 degrees", spot(pi * 2 / 3, 2)},
+      {"spot of 180 degrees", spot(pi, 0.5)},
       {"spot on the floor", spot(0.4, 2, {0, 0, 0x1p-1000})},
       {"light on a point that is seen", bulb({0, 0, 0}, 1, 1, 1)},
       {"light 1e-30 above a point that is seen", bulb({0, 0, 1e-30}, 1, 1, 1)},

@@ -13,7 +13,7 @@ using V3 = Vec<double>;
 using Key = std::array<double, 6>;
 
 constexpr std::size_t kLeafSize = 4;
-constexpr double kMargin = 1e-12;
+constexpr double kSilhouetteMargin = 1e-12;
 
 bool before(const V3& a, const V3& b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); }
 
@@ -76,7 +76,7 @@ bool goes_on(const MeshEdge& edge, const V3& apex) {
   if (!edge.shared) return false;
   const V3 normal = cross(edge.a - apex, edge.b - apex);
   const V3 p = edge.opposite[0] - apex, q = edge.opposite[1] - apex;
-  const double limit = kMargin * max_abs(normal) * std::max(max_abs(p), max_abs(q));
+  const double limit = kSilhouetteMargin * max_abs(normal) * std::max(max_abs(p), max_abs(q));
   const double s = dot(normal, p), t = dot(normal, q);
   return (s > limit && t < -limit) || (s < -limit && t > limit);
 }

@@ -10,10 +10,10 @@ namespace litmus {
 namespace {
 
 TEST(Correlate, IsTheDoubleSumWithTheBorderContinued) {
-  Plane plane{5, 4, {}};
+  Channel plane{5, 4, {}};
   for (int i = 0; i < 20; ++i) plane.values.push_back(std::sin(3.0 * i));
   const std::vector<double> across{1, -2, 4}, down{0.5, 3, -1, 2, 7};
-  const Plane result = correlate(plane, across, down);
+  const Channel result = correlate(plane, across, down);
   for (int y = 0; y < 4; ++y)
     for (int x = 0; x < 5; ++x) {
       double sum = 0;
