@@ -8,18 +8,11 @@
 #include <limits>
 #include <set>
 
+#include "tests/compare/pictures.h"
+
 namespace litmus {
 namespace {
 using ::testing::ElementsAre;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
-Picture flat(int width, int height, double value) {
-  Picture picture(width, height);
-  for (glm::dvec3& pixel : picture.pixels) pixel = glm::dvec3(value);
-  return picture;
-}
 
 Difference all(const Picture& ours, const Picture& theirs, double tolerance = 1) {
   return difference(ours, theirs, {}, Region::All, tolerance);

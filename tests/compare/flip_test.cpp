@@ -7,15 +7,10 @@
 #include <limits>
 
 #include "compare/difference.h"
+#include "tests/compare/pictures.h"
 
 namespace litmus {
 namespace {
-
-Picture flat(int width, int height, double value) {
-  Picture picture(width, height);
-  for (glm::dvec3& pixel : picture.pixels) pixel = glm::dvec3(value);
-  return picture;
-}
 
 Picture ramp(int width, int height) {
   Picture picture(width, height);

@@ -13,14 +13,12 @@
 #include <random>
 
 #include "scene/refusal.h"
+#include "tests/compare/pictures.h"
 
 namespace litmus {
 namespace {
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 // A folder of its own for each test.
 struct ImageFiles : ::testing::Test {
@@ -128,7 +126,7 @@ TEST_F(ImageFiles, KeepALayerForEachBandBesideTheColours) {
   EXPECT_EQ(read_metadata(folder / "bands.exr")["scene"], "w2");
   EXPECT_EQ(float_bits(read_picture(folder / "bands.exr")), float_bits(colors));
   std::vector<float> values(5 * 3 * 7);
-  ASSERT_TRUE(input->read_image(OIIO::TypeDesc::FLOAT, values.data()));
+  ASSERT_TRUE(input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, values.data()));
   const auto value = [&](const char* name) {
     return values[std::size_t(7 * 8 + spec.channelindex(name))];  // pixel (3, 1)
   };

@@ -7,18 +7,13 @@
 #include <limits>
 
 #include "compare/difference.h"
+#include "tests/compare/pictures.h"
 
 namespace litmus {
 namespace {
 
 double encoded(double v) {
   return v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055;
-}
-
-Picture flat(int width, int height, double value) {
-  Picture picture(width, height);
-  for (glm::dvec3& pixel : picture.pixels) pixel = glm::dvec3(value);
-  return picture;
 }
 
 Picture textured(int width, int height, int seed) {

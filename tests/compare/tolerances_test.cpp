@@ -59,15 +59,19 @@ TEST(TolerancesFile, StaysBelowThePublishedGates) {
     const bool povray = row.reference == "povray", edge = row.region == Region::Edge;
     EXPECT_LE(row.tolerance.max_abs, edge ? 1e-3 : povray ? 2e-6 : 2e-5) << row.line;
     // The gates on means are those of an interior; a part of it may have a larger mean.
-    if (row.region == Region::Interior)
+    if (row.region == Region::Interior) {
       EXPECT_LE(row.tolerance.mean_abs, povray ? 1e-7 : 5e-7) << row.line;
+    }
     EXPECT_FALSE(row.tolerance.reason.empty());
   }
 }
 
 TEST(TolerancesFile, HoldsClosedFormsToDoublePrecision) {
-  for (const NamedTolerance& row : tolerances())
-    if (row.reference == "closed-form") EXPECT_LE(row.tolerance.max_abs, 1e-12) << row.line;
+  for (const NamedTolerance& row : tolerances()) {
+    if (row.reference == "closed-form") {
+      EXPECT_LE(row.tolerance.max_abs, 1e-12) << row.line;
+    }
+  }
 }
 
 TEST(TolerancesFile, GivesNoCauseForAWarning) {

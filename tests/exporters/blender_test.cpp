@@ -24,7 +24,7 @@ using testing::Not;
 
 using Writer = void (*)(const Scene&, std::ostream&);
 
-std::string exported(const Scene& scene, Writer write = write_blender) {
+std::string as_blender(const Scene& scene, Writer write = write_blender) {
   std::ostringstream out;
   write(scene, out);
   return out.str();
@@ -70,7 +70,8 @@ Parsed parse(const std::string& python) {
          "tree = ast.parse(open(sys.argv[1], encoding='utf-8').read())\n"
          "count = sum(isinstance(n, (ast.Import, ast.ImportFrom)) for n in ast.walk(tree))\n"
          "open(sys.argv[2], 'w').write(str(count))\n";
-  const std::string command = "cd '" + folder.string() + "' && python3 count.py script.py result 2>/dev/null";
+  const std::string command =
+      "cd '" + folder.string() + "' && python3 count.py script.py result 2>/dev/null";
   Parsed parsed;
   parsed.ok = std::system(command.c_str()) == 0;
   std::ifstream(folder / "result") >> parsed.imports;
@@ -83,7 +84,7 @@ TEST(BlenderExport, WritesEveryCanonicalScene) {
   for (const fs::path& file : canonical_scenes()) {
     const Scene scene = load_scene(file);
     for (const Writer write : {&write_blender, &write_blender_native}) {
-      const std::string text = exported(scene, write);
+      const std::string text = as_blender(scene, write);
       EXPECT_THAT(text, HasSubstr("finish(\"" + scene.name + "\")")) << file;
       for (const Light& light : scene.lights) {
         EXPECT_THAT(text, HasSubstr('"' + light.name + '"')) << file;
@@ -93,7 +94,7 @@ TEST(BlenderExport, WritesEveryCanonicalScene) {
 }
 
 TEST(BlenderExport, NamesObjectsMaterialsAndLights) {
-  const std::string text = exported(full_scene());
+  const std::string text = as_blender(full_scene());
   for (const char* line :
        {"plane(\"floor\", Material_Plain, [", "sphere(\"ball\", Material_Plain, (0, 0, 1), 1)",
         "box(\"crate\", Material_Plain, (1, 1, 0), (2, 2, 1), visible=False)",
@@ -106,11 +107,11 @@ TEST(BlenderExport, NamesObjectsMaterialsAndLights) {
 }
 
 TEST(BlenderExport, ListsItsFramesInTheHeader) {
-  EXPECT_THAT(exported(full_scene()), HasSubstr("#   1  ambient light\n"
-                                                "#   2  directional light sun\n"
-                                                "#   3  point light lamp\n"
-                                                "#   4  spot light spot\n"
-                                                "#   5-10  area light panel: its 3 x 2 samples"));
+  EXPECT_THAT(as_blender(full_scene()), HasSubstr("#   1  ambient light\n"
+                                                  "#   2  directional light sun\n"
+                                                  "#   3  point light lamp\n"
+                                                  "#   4  spot light spot\n"
+                                                  "#   5-10  area light panel: its 3 x 2 samples"));
 }
 
 TEST(BlenderExport, HasAFrameForEachSampleOfAnAreaLight) {
@@ -129,29 +130,29 @@ TEST(BlenderExport, AddsTheAmbientLightOfAllLightsOnce) {
   scene.lights[0].intensity = 2;
   scene.lights[0].ambient = {0.25, 0, 0};
   scene.lights[1].ambient = {0, 0.5, 0.125};
-  EXPECT_THAT(exported(scene), HasSubstr("\nambient((1, 0.75, 0.125))\n"));
+  EXPECT_THAT(as_blender(scene), HasSubstr("\nambient((1, 0.75, 0.125))\n"));
 }
 
 TEST(BlenderExport, TurnsShadowsOffWhereTheSceneDoes) {
   Scene scene = full_scene();
-  EXPECT_THAT(exported(scene), Not(HasSubstr("shadows=False)")));
+  EXPECT_THAT(as_blender(scene), Not(HasSubstr("shadows=False)")));
   scene.shadows = false;
-  EXPECT_THAT(exported(scene), HasSubstr("specular=(1, 1, 1), shadows=False)"));
+  EXPECT_THAT(as_blender(scene), HasSubstr("specular=(1, 1, 1), shadows=False)"));
 }
 
 TEST(BlenderExport, SaysWhereTheSceneWasMoved) {
   Scene scene = full_scene();
-  EXPECT_THAT(exported(scene), Not(HasSubstr("Moved and scaled")));
+  EXPECT_THAT(as_blender(scene), Not(HasSubstr("Moved and scaled")));
   scene.objects = {{"far ball", Sphere{{1e5, 0, 0}, 1}, 0, true}};
   scene.camera.eye = {1e5, -5, 0};
   scene.camera.target = {1e5, 0, 0};
   scene.lights.clear();
-  EXPECT_THAT(exported(scene), HasSubstr("Moved and scaled"));
+  EXPECT_THAT(as_blender(scene), HasSubstr("Moved and scaled"));
 }
 
 TEST(BlenderExport, ParsesAsPythonWhateverTheNamesAre) {
   if (!has_python()) GTEST_SKIP() << "python3 is not installed";
-  const Parsed plain = parse(exported(full_scene()));
+  const Parsed plain = parse(as_blender(full_scene()));
   ASSERT_TRUE(plain.ok);
   ASSERT_GT(plain.imports, 0);
   Scene hostile = full_scene();
@@ -161,9 +162,9 @@ TEST(BlenderExport, ParsesAsPythonWhateverTheNamesAre) {
   for (Object& object : hostile.objects) object.name = name;
   for (Light& light : hostile.lights) light.name = name;
   for (const Writer write : {&write_blender, &write_blender_native}) {
-    const Parsed parsed = parse(exported(hostile, write));
+    const Parsed parsed = parse(as_blender(hostile, write));
     EXPECT_TRUE(parsed.ok);
-    EXPECT_EQ(parsed.imports, parse(exported(full_scene(), write)).imports);
+    EXPECT_EQ(parsed.imports, parse(as_blender(full_scene(), write)).imports);
   }
 }
 
@@ -188,10 +189,10 @@ TEST(BlenderExport, DoesNotDependOnTheLocale) {
   mesh.normals.clear();
   mesh.triangles.push_back({0, 1, 1999});
   for (const Writer write : {&write_blender, &write_blender_native}) {
-    const std::string usual = exported(scene, write);
+    const std::string usual = as_blender(scene, write);
     EXPECT_THAT(usual, HasSubstr("\n0 1 1999\n"));
     const std::locale before = std::locale::global(std::locale(std::locale(), new German));
-    const std::string german = exported(scene, write);
+    const std::string german = as_blender(scene, write);
     std::locale::global(before);
     EXPECT_EQ(german, usual);
   }
@@ -202,7 +203,7 @@ TEST(BlenderExport, RefusesTheSampleCode) {
   scene.shading = Shading::SampleCode;
   for (const Writer write : {&write_blender, &write_blender_native}) {
     try {
-      exported(scene, write);
+      as_blender(scene, write);
       ADD_FAILURE() << "not refused";
     } catch (const Refusal& refusal) {
       EXPECT_THAT(refusal.what(), HasSubstr("full: shading"));
@@ -213,9 +214,9 @@ TEST(BlenderExport, RefusesTheSampleCode) {
 TEST(BlenderExport, RefusesPicturesThatBlenderWouldEnlarge) {
   Scene scene = full_scene();
   scene.width = 3;
-  EXPECT_THROW(exported(scene), Refusal);
+  EXPECT_THROW(as_blender(scene), Refusal);
   scene.samples = 2;
-  EXPECT_NO_THROW(exported(scene));
+  EXPECT_NO_THROW(as_blender(scene));
 }
 
 TEST(BlenderExport, HasNoCaveatsButWhereTheEyeIsInsideASphereOrAConeIsSteep) {
@@ -242,16 +243,16 @@ TEST(BlenderExport, FilesAreNamedSafely) {
 
 TEST(BlenderNative, SaysWhatItCannotExpress) {
   Scene scene = full_scene();
-  const std::string all = exported(scene, write_blender_native);
+  const std::string all = as_blender(scene, write_blender_native);
   EXPECT_THAT(all, HasSubstr("fall off as 1 / d^2"));
   EXPECT_THAT(all, HasSubstr("smoothstep"));
   EXPECT_THAT(all, HasSubstr("not a grid of points"));
   scene.lights.resize(1);
-  EXPECT_THAT(exported(scene, write_blender_native), Not(HasSubstr("fall off as 1 / d^2")));
+  EXPECT_THAT(as_blender(scene, write_blender_native), Not(HasSubstr("fall off as 1 / d^2")));
 }
 
 TEST(BlenderNative, UsesTheLampsOfBlender) {
-  const std::string text = exported(full_scene(), write_blender_native);
+  const std::string text = as_blender(full_scene(), write_blender_native);
   for (const char* line :
        {"\nsun(\"sun\", (0, 0, -1), 3.14159", "\npoint(\"lamp\", (0, 0, 4), ",
         "\nspot(\"spot\", (0, 0, 4), (0, 0, -1), ", "size=1, blend=0.6" /* 28.6 degrees */,

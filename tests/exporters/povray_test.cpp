@@ -23,7 +23,7 @@ using testing::Not;
 using Writer = void (*)(const Scene&, std::ostream&);
 constexpr Writer kWriters[] = {write_povray, write_povray_native};
 
-std::string exported(const Scene& scene, Writer write = write_povray) {
+std::string as_povray(const Scene& scene, Writer write = write_povray) {
   std::ostringstream out;
   write(scene, out);
   return out.str();
@@ -93,7 +93,7 @@ TEST(Povray, ExportsEveryCanonicalScene) {
   for (const auto& file : canonical_scenes()) {
     const Scene scene = load_scene(file);
     for (const Writer write : kWriters) {
-      const std::string code = code_of(exported(scene, write));
+      const std::string code = code_of(as_povray(scene, write));
       EXPECT_TRUE(balanced(code)) << scene.name;
       EXPECT_NE(code.find("#version 3.7;"), std::string::npos) << scene.name;
       for (const char* broken : {" nan", "<nan", "-nan", " inf", "<inf", "-inf"})
@@ -108,74 +108,74 @@ TEST(Povray, NamesTheCommandThatRendersIt) {
   scene.height = 48;
   scene.samples = 3;
   for (const Writer write : kWriters)
-    EXPECT_THAT(exported(scene, write),
+    EXPECT_THAT(as_povray(scene, write),
                 HasSubstr("//   povray +Iplain.pov +Oplain.png +W192 +H144 +FN16 File_Gamma=1.0 -A "
                           "-D +KFI1 +KFF2\n"));
 }
 
 TEST(Povray, SaysWhatEachFrameIs) {
-  const std::string text = exported(lit_by({point(0, 0), spot()}));
+  const std::string text = as_povray(lit_by({point(0, 0), spot()}));
   EXPECT_THAT(text, HasSubstr("frame 1: ambient"));
   EXPECT_THAT(text, HasSubstr("frame 2: \"lamp\", point"));
   EXPECT_THAT(text, HasSubstr("frame 3: \"spot\", spot"));
 }
 
 TEST(Povray, PutsAFilterOnlyWhereThereIsAConeOrBothAttenuations) {
-  const std::string plain = exported(lit_by({point(0, 0), light("sun", DirectionalLight{})}));
+  const std::string plain = as_povray(lit_by({point(0, 0), light("sun", DirectionalLight{})}));
   EXPECT_THAT(plain, Not(HasSubstr("Radius")));
   EXPECT_THAT(plain, Not(HasSubstr("fade")));
   for (const Light& one : {point(1, 0), point(0, 1)}) {
-    EXPECT_THAT(exported(lit_by({one})), Not(HasSubstr("Radius")));
-    EXPECT_THAT(exported(lit_by({one})), HasSubstr("fade_power"));
+    EXPECT_THAT(as_povray(lit_by({one})), Not(HasSubstr("Radius")));
+    EXPECT_THAT(as_povray(lit_by({one})), HasSubstr("fade_power"));
   }
-  EXPECT_THAT(exported(lit_by({point(1, 1)})), HasSubstr("Medium(3, 1)"));
-  EXPECT_THAT(exported(lit_by({point(1, 1)})), Not(HasSubstr("Cone(")));
-  EXPECT_THAT(exported(lit_by({spot()})), HasSubstr("Cone("));
-  EXPECT_THAT(exported(lit_by({spot()})), Not(HasSubstr("Medium(")));
+  EXPECT_THAT(as_povray(lit_by({point(1, 1)})), HasSubstr("Medium(3, 1)"));
+  EXPECT_THAT(as_povray(lit_by({point(1, 1)})), Not(HasSubstr("Cone(")));
+  EXPECT_THAT(as_povray(lit_by({spot()})), HasSubstr("Cone("));
+  EXPECT_THAT(as_povray(lit_by({spot()})), Not(HasSubstr("Medium(")));
 }
 
 TEST(Povray, LightsNothingWithSpotExponentZero) {
   Scene scene = lit_by({spot()});
-  EXPECT_THAT(exported(scene), HasSubstr("light_source"));
+  EXPECT_THAT(as_povray(scene), HasSubstr("light_source"));
   std::get<SpotLight>(scene.lights[0].shape).exponent = 0;
-  EXPECT_THAT(exported(scene), Not(HasSubstr("light_source")));
+  EXPECT_THAT(as_povray(scene), Not(HasSubstr("light_source")));
 }
 
 TEST(Povray, OffersTheWholePictureOnlyWhereItIsOne) {
   const std::string together = "(frame 0) all lights shine at once";
-  EXPECT_THAT(exported(lit_by({point(0, 1), spot()})), HasSubstr(together));
-  EXPECT_THAT(exported(lit_by({point(1, 1)})), HasSubstr(together));
+  EXPECT_THAT(as_povray(lit_by({point(0, 1), spot()})), HasSubstr(together));
+  EXPECT_THAT(as_povray(lit_by({point(1, 1)})), HasSubstr(together));
 
-  const std::string media = exported(lit_by({point(1, 1), spot()}));
+  const std::string media = as_povray(lit_by({point(1, 1), spot()}));
   EXPECT_THAT(media, Not(HasSubstr(together)));
   EXPECT_THAT(media, HasSubstr("cannot shine at once"));
 
   Scene two_ratios = lit_by({point(0, 0), spot()});
   two_ratios.lights[0].specular = {1, 0.5, 1};
-  EXPECT_THAT(exported(two_ratios), Not(HasSubstr(together)));
+  EXPECT_THAT(as_povray(two_ratios), Not(HasSubstr(together)));
   two_ratios.lights[1].specular = {1, 0.5, 1};
-  EXPECT_THAT(exported(two_ratios), HasSubstr(together));
+  EXPECT_THAT(as_povray(two_ratios), HasSubstr(together));
 
   Scene dark_diffuse = lit_by({point(0, 0)});
   dark_diffuse.lights[0].diffuse = {0, 1, 1};
-  EXPECT_THAT(exported(dark_diffuse), Not(HasSubstr(together)));
+  EXPECT_THAT(as_povray(dark_diffuse), Not(HasSubstr(together)));
 }
 
 TEST(Povray, HidesObjectsFromTheCameraAndLeavesOutShadows) {
   Scene scene = lit_by({spot()});
-  EXPECT_THAT(exported(lit_by({point(0, 0)})), Not(HasSubstr("no_image")));
+  EXPECT_THAT(as_povray(lit_by({point(0, 0)})), Not(HasSubstr("no_image")));
   scene.lights = {point(0, 0)};
   scene.objects[1].camera_visible = false;
-  EXPECT_THAT(exported(scene), HasSubstr("no_image"));
-  EXPECT_THAT(exported(scene), Not(HasSubstr("no_shadow")));
+  EXPECT_THAT(as_povray(scene), HasSubstr("no_image"));
+  EXPECT_THAT(as_povray(scene), Not(HasSubstr("no_shadow")));
   scene.shadows = false;
-  EXPECT_THAT(exported(scene), HasSubstr("no_shadow"));
+  EXPECT_THAT(as_povray(scene), HasSubstr("no_shadow"));
 }
 
 TEST(Povray, WritesTheNumbersOfTheAuthor) {
   Scene scene = lit_by({point(0, 0)});
   scene.objects[1].shape = Sphere{{0.1, 0.2, 1.3}, 0.7};
-  EXPECT_THAT(exported(scene), HasSubstr("sphere { <0.1, 0.2, 1.3>, 0.7 "));
+  EXPECT_THAT(as_povray(scene), HasSubstr("sphere { <0.1, 0.2, 1.3>, 0.7 "));
 }
 
 TEST(Povray, KeepsHostileNamesInsideComments) {
@@ -184,7 +184,7 @@ TEST(Povray, KeepsHostileNamesInsideComments) {
   scene.name = scene.about = scene.materials[0].name = evil;
   scene.objects[0].name = scene.lights[0].name = evil;
   for (const Writer write : kWriters) {
-    const std::string text = exported(scene, write);
+    const std::string text = as_povray(scene, write);
     EXPECT_THAT(text, HasSubstr("evil")) << "the name is somewhere";
     EXPECT_THAT(code_of(text), Not(HasSubstr("evil")));
     EXPECT_TRUE(balanced(code_of(text)));
@@ -201,9 +201,9 @@ TEST(Povray, IsTheSameInALocaleWithCommas) {
   Scene scene = lit_by({point(0.5, 0.25), spot()});
   scene.width = 1600;
   for (const Writer write : kWriters) {
-    const std::string before = exported(scene, write);
+    const std::string before = as_povray(scene, write);
     const std::locale old = std::locale::global(std::locale(std::locale(), new Commas));
-    const std::string after = exported(scene, write);
+    const std::string after = as_povray(scene, write);
     std::ostringstream control;
     control << 1234.5;
     std::locale::global(old);
@@ -217,7 +217,7 @@ TEST(Povray, RefusesTheSampleCode) {
   scene.shading = Shading::SampleCode;
   for (const Writer write : kWriters) {
     try {
-      exported(scene, write);
+      as_povray(scene, write);
       ADD_FAILURE() << "not refused";
     } catch (const Refusal& refusal) {
       EXPECT_THAT(refusal.what(), HasSubstr("shading: \"sample-code\""));
@@ -245,7 +245,7 @@ TEST(PovrayNative, UsesPovraysOwnLights) {
   area.point.origin = {0, 0, 5};
   area.columns = 4;
   const std::string text =
-      exported(lit_by({spot(), light("panel", area), point(1, 1)}), write_povray_native);
+      as_povray(lit_by({spot(), light("panel", area), point(1, 1)}), write_povray_native);
   EXPECT_THAT(text, HasSubstr("spotlight"));
   EXPECT_THAT(text, HasSubstr("area_light"));
   EXPECT_THAT(text, HasSubstr("fade_distance"));
@@ -253,11 +253,11 @@ TEST(PovrayNative, UsesPovraysOwnLights) {
 }
 
 TEST(PovrayNative, SaysWhatItCannotExpress) {
-  const std::string text = exported(lit_by({spot(), point(1, 1)}), write_povray_native);
+  const std::string text = as_povray(lit_by({spot(), point(1, 1)}), write_povray_native);
   EXPECT_THAT(text, HasSubstr("What differs from the model:"));
   EXPECT_THAT(text, HasSubstr("// \"spot\":"));
   EXPECT_THAT(text, HasSubstr("// \"lamp\":"));
-  EXPECT_THAT(exported(lit_by({point(0, 1)}), write_povray_native),
+  EXPECT_THAT(as_povray(lit_by({point(0, 1)}), write_povray_native),
               HasSubstr("Nothing in this scene differs"));
 }
 

@@ -41,7 +41,7 @@ struct BlenderLive : InFolder {
 };
 
 /// A floor of 6 x 4 units from above; the centre of pixel (i, j) of 12 x 8 is half a unit apart.
-Scene floor_scene(const std::string& name) {
+Scene blender_floor(const std::string& name) {
   Scene scene;
   scene.name = name;
   scene.width = 12;
@@ -54,7 +54,7 @@ Scene floor_scene(const std::string& name) {
 Point floor_point(double i, double j) { return {(i + 0.5) / 2 - 3, 2 - (j + 0.5) / 2, 0}; }
 
 TEST_F(BlenderLive, RendersEachKindOfLightToItsClosedForm) {
-  Scene scene = floor_scene("kinds");
+  Scene scene = blender_floor("kinds");
   scene.ambient = {0.1, 0.2, 0.3};
   const Point at(0.3, -0.2, 2);
   scene.lights.push_back(
@@ -97,7 +97,7 @@ TEST_F(BlenderLive, RendersEachKindOfLightToItsClosedForm) {
 }
 
 TEST_F(BlenderLive, AveragesSamplesOfAPixel) {
-  Scene scene = floor_scene("fine");
+  Scene scene = blender_floor("fine");
   scene.samples = 2;
   scene.lights.push_back({.name = "lamp", .shape = PointLight{{0, 0, 1}, {}}});
   const ReferenceResult result = render({scene})["fine"];
@@ -113,7 +113,7 @@ TEST_F(BlenderLive, AveragesSamplesOfAPixel) {
 }
 
 TEST_F(BlenderLive, RendersWhateverTheNamesAre) {
-  Scene scene = floor_scene("\"\"\"; import os #\n/../x");
+  Scene scene = blender_floor("\"\"\"; import os #\n/../x");
   scene.lights.push_back({.name = "sun", .shape = DirectionalLight{}});
   const std::string longest(100, 'n');
   scene.lights.push_back({.name = longest + "\n\"\x01\xff", .shape = PointLight{{0, 0, 1}, {}}});
@@ -126,11 +126,11 @@ TEST_F(BlenderLive, RendersWhateverTheNamesAre) {
 }
 
 TEST_F(BlenderLive, AFailingSceneTakesNoOtherWithIt) {
-  Scene broken = floor_scene("broken");
+  Scene broken = blender_floor("broken");
   broken.objects.push_back({"bad", Mesh{{{0, 0, 0}}, {}, {{0, 1, 2}}}, 0, true});
-  Scene refused = floor_scene("refused");
+  Scene refused = blender_floor("refused");
   refused.shading = Shading::SampleCode;
-  auto results = render({broken, refused, floor_scene("good")});
+  auto results = render({broken, refused, blender_floor("good")});
   ASSERT_EQ(results.size(), 3u);
   EXPECT_THAT(results["broken"].failure, HasSubstr("failed in Blender"));
   EXPECT_TRUE(results["broken"].layers.empty());
@@ -141,7 +141,7 @@ TEST_F(BlenderLive, AFailingSceneTakesNoOtherWithIt) {
 }
 
 TEST_F(BlenderLive, ATimeLimitIsAFailureOfTheSceneAtWork) {
-  const Scene scene = floor_scene("slow");
+  const Scene scene = blender_floor("slow");
   std::vector<ReferenceResult> results;
   blender_driver().render(*blender(), std::vector{scene},
                           {.work = folder, .time_limit = std::chrono::seconds(0)},
@@ -151,7 +151,7 @@ TEST_F(BlenderLive, ATimeLimitIsAFailureOfTheSceneAtWork) {
 }
 
 TEST_F(BlenderLive, TheSavedFileRendersTheSamePixelsWithoutPython) {
-  Scene scene = floor_scene("saved");
+  Scene scene = blender_floor("saved");
   scene.lights.push_back({.name = "lamp", .shape = PointLight{{0, 0, 2}, {}}});
   scene.lights.push_back({.name = "sun", .shape = DirectionalLight{{1, 0, -1}}});
   scene.objects.push_back({"ball", Sphere{{1, 0, 0.5}, 0.4}, 0, true});
@@ -181,7 +181,7 @@ TEST_F(BlenderLive, TheSavedFileRendersTheSamePixelsWithoutPython) {
 }
 
 TEST_F(BlenderLive, TheNativeExportRendersWithoutComplaint) {
-  Scene scene = floor_scene("native");
+  Scene scene = blender_floor("native");
   scene.materials[0].specular = Color(0.2);
   scene.lights.push_back({.name = "lamp", .shape = PointLight{{0, 0, 2}, {}}});
   scene.lights.push_back({.name = "spot", .shape = SpotLight{{{0, 0, 2}, {}}, {0, 0, -1}, 0.5, 3}});
@@ -216,7 +216,7 @@ struct BlenderStandIn : InFolder {
                    per_scene + "\ndone\n");
     std::filesystem::permissions(program, std::filesystem::perms::owner_all);
     std::vector<Scene> list;
-    for (int i = 0; i < scenes; ++i) list.push_back(floor_scene("s" + std::to_string(i)));
+    for (int i = 0; i < scenes; ++i) list.push_back(blender_floor("s" + std::to_string(i)));
     std::vector<ReferenceResult> results;
     blender_driver().render({program, "0"}, list, {.work = folder / "work"},
                             [&](ReferenceResult result) { results.push_back(std::move(result)); });
@@ -247,7 +247,7 @@ TEST_F(BlenderStandIn, ACrashIsBlamedOnASceneThatCrashesOnItsOwn) {
 TEST_F(BlenderStandIn, AProgramThatDoesNotStartFailsEveryScene) {
   std::vector<ReferenceResult> none;
   blender_driver().render({folder / "nothing", "0"},
-                          std::vector{floor_scene("a"), floor_scene("b")}, {.work = folder},
+                          std::vector{blender_floor("a"), blender_floor("b")}, {.work = folder},
                           [&](ReferenceResult result) { none.push_back(std::move(result)); });
   ASSERT_EQ(none.size(), 2u);
   EXPECT_NE(none[0].failure, "");

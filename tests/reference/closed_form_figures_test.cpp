@@ -9,6 +9,7 @@
 
 #include "reference/closed_form_view.h"
 #include "scene/refusal.h"
+#include "tests/reference/sample_scene.h"
 
 namespace litmus {
 namespace {
@@ -88,7 +89,7 @@ TEST(RectangleMeanCosine, StaysWithinTheBoundOfTheMidpointRule) {
             (1.0 / 64 + 0.64 / 64) / double(24 * kHeight * kHeight));
 }
 
-Scene floor_scene() {
+Scene wide_floor() {
   Scene scene;
   scene.width = scene.height = 300;
   scene.camera.projection = Projection::Orthographic;
@@ -98,14 +99,8 @@ Scene floor_scene() {
   return scene;
 }
 
-Light light_of(decltype(Light::shape) shape) {
-  Light light;
-  light.shape = std::move(shape);
-  return light;
-}
-
 TEST(ShadowArea, IsThatOfThePixelsInsideTheCylinders) {
-  Scene scene = floor_scene();
+  Scene scene = wide_floor();
   scene.objects.push_back({"ball", Sphere{{0.3, 0.1, 1.2}, 0.6}, 0, false});
   scene.objects.push_back({"small", Sphere{{-1.2, -0.4, 0.7}, 0.2}, 0, false});
   scene.lights = {light_of(DirectionalLight{{-0.6, -0.35, -1}})};
@@ -128,7 +123,7 @@ TEST(ShadowArea, IsThatOfThePixelsInsideTheCylinders) {
 }
 
 TEST(HighlightPeak, IsWhereTheHalfVectorIsTheNormal) {
-  Scene scene = floor_scene();
+  Scene scene = wide_floor();
   scene.camera.eye = {-3, -4, 6}, scene.camera.up = {0, 0, 1};
   scene.materials[0].diffuse = Color(0);
   scene.lights = {light_of(PointLight{{0.9, 0.7, 2.2}, {}})};
@@ -148,7 +143,7 @@ TEST(HighlightPeak, IsWhereTheHalfVectorIsTheNormal) {
 }
 
 TEST(Figures, RefuseScenesThatLackWhatTheyNeed) {
-  Scene scene = floor_scene();
+  Scene scene = wide_floor();
   std::vector<Figure> figures;
   EXPECT_THROW(measure_shadow_area(scene, figures), Refusal);
   EXPECT_THROW(measure_highlight(scene, figures), Refusal);  // a matte floor

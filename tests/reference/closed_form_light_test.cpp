@@ -8,15 +8,10 @@
 #include <numbers>
 
 #include "exporters/area_grid.h"
+#include "tests/reference/sample_scene.h"
 
 namespace litmus {
 namespace {
-
-Light light_of(decltype(Light::shape) shape) {
-  Light light;
-  light.shape = std::move(shape);
-  return light;
-}
 
 AreaLight panel(int columns, int rows, Placement placement) {
   AreaLight area;

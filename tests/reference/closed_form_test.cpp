@@ -10,21 +10,15 @@
 #include <numbers>
 
 #include "scene/refusal.h"
+#include "tests/reference/sample_scene.h"
 
 namespace litmus {
 namespace {
 
 using testing::HasSubstr;
 
-Light light_of(decltype(Light::shape) shape) {
-  Light light;
-  light.name = "light";
-  light.shape = std::move(shape);
-  return light;
-}
-
 /// A matte floor from above, 41 x 41 pixels over a square of side 4.1: one is exactly at 0.
-Scene floor_scene() {
+Scene small_floor() {
   Scene scene;
   scene.name = "test";
   scene.width = scene.height = 41;
@@ -46,7 +40,7 @@ std::string refusal_of(const Scene& scene) {
 }
 
 TEST(FloorOracle, IsTheProfileOfSlideElevenInCircles) {
-  Scene scene = floor_scene();
+  Scene scene = small_floor();
   scene.lights = {light_of(PointLight{{0, 0, 1.25}, {2, 1, 1}})};
   const ClosedForm known = closed_form(scene);
   ASSERT_EQ(known.layers.size(), 2u);
@@ -60,7 +54,7 @@ TEST(FloorOracle, IsTheProfileOfSlideElevenInCircles) {
 
 TEST(FloorOracle, IsAThirdAtTheRangeOfThreeFactors) {
   // On the ring d = R: l = q = 1/2; l.n = H/R.
-  Scene scene = floor_scene();
+  Scene scene = small_floor();
   scene.lights = {light_of(PointLight{{0, 0, 1.2}, {2, 1, 1}})};
   scene.camera.height = 4.1 * 1.6 / 2;  // the pixel at x = 20 + 20 sees rho = 1.6
   const ClosedForm known = closed_form(scene);
@@ -68,7 +62,7 @@ TEST(FloorOracle, IsAThirdAtTheRangeOfThreeFactors) {
 }
 
 TEST(FloorOracle, IsSilentWhereSomethingInViewHidesTheFloor) {
-  Scene scene = floor_scene();
+  Scene scene = small_floor();
   scene.lights = {light_of(DirectionalLight{})};
   scene.objects.push_back({"ball", Sphere{{0, 0, 1}, 0.55}, 0});
   const ClosedForm known = closed_form(scene);
@@ -79,7 +73,7 @@ TEST(FloorOracle, IsSilentWhereSomethingInViewHidesTheFloor) {
 }
 
 TEST(FloorOracle, LeavesOutPixelsOnABoundary) {
-  Scene scene = floor_scene();
+  Scene scene = small_floor();
   scene.lights = {light_of(DirectionalLight{})};
   scene.objects.push_back({"block", Box{{0, -9, 1}, {9, 9, 2}}, 0, false});
   const ClosedForm known = closed_form(scene);  // the edge is at x = 0, which a column sees
@@ -92,7 +86,7 @@ TEST(FloorOracle, LeavesOutPixelsOnABoundary) {
 TEST(FloorOracle, ConservesTheLightOfALampOnAnEndlessFloor) {
   // Of the flux of an inverse-square lamp half falls on the floor: the sum of H/d^3 over it is 2 pi
   // but for what lies beyond the picture. Q/R^2 -> infinity makes q an inverse square.
-  Scene scene = floor_scene();
+  Scene scene = small_floor();
   const double far = 1e-4;
   scene.lights = {light_of(PointLight{{0, 0, 0.5}, {far, 0, 1}})};
   scene.width = scene.height = 401, scene.camera.height = 40.1;
@@ -106,7 +100,7 @@ TEST(FloorOracle, ConservesTheLightOfALampOnAnEndlessFloor) {
 }
 
 TEST(SpheresOracle, IsMirroredWhereTheSunIs) {
-  Scene scene = floor_scene();
+  Scene scene = small_floor();
   scene.objects = {{"ball", Sphere{{0, 0, 0}, 2}, 0}};
   scene.materials[0].specular = Color(0.5), scene.materials[0].shininess = 20;
   scene.expect = {Oracle::Spheres};
@@ -125,7 +119,7 @@ TEST(SpheresOracle, IsMirroredWhereTheSunIs) {
 
 TEST(SpheresOracle, IntegratesToTwoThirdsOfTheDisc) {
   // A matte sphere under a headlight: the mean of sqrt(1 - rho^2) over the disc is 2/3.
-  Scene scene = floor_scene();
+  Scene scene = small_floor();
   scene.width = scene.height = 201;
   scene.objects = {{"ball", Sphere{{0, 0, 0}, 2}, 0}};
   scene.expect = {Oracle::Spheres};
@@ -138,7 +132,7 @@ TEST(SpheresOracle, IntegratesToTwoThirdsOfTheDisc) {
 }
 
 TEST(SpheresOracle, KnowsTheBackgroundWhereOnlySpheresAreInView) {
-  Scene scene = floor_scene();
+  Scene scene = small_floor();
   scene.objects = {{"ball", Sphere{{0, 0, 0}, 1}, 0}};
   scene.expect = {Oracle::Spheres};
   EXPECT_EQ(closed_form(scene).layers[0].known[0], 1);
@@ -147,7 +141,7 @@ TEST(SpheresOracle, KnowsTheBackgroundWhereOnlySpheresAreInView) {
 }
 
 TEST(ShellOracle, IsOneConstant) {
-  Scene scene = floor_scene();
+  Scene scene = small_floor();
   scene.objects = {{"shell", Sphere{{0, 0, 10}, 1.5}, 0}};
   scene.lights = {light_of(PointLight{{0, 0, 10}, {2, 0.5, 1}})};
   scene.expect = {Oracle::Shell};
@@ -157,7 +151,7 @@ TEST(ShellOracle, IsOneConstant) {
 }
 
 TEST(AmbientClaim, IsThatOfLevels) {
-  Scene scene = floor_scene();
+  Scene scene = small_floor();
   scene.ambient = Color(0.2, 0.4, 0.6);
   scene.materials[0].ambient = Color(0.5);
   scene.expect = {Oracle::Ambient};
@@ -169,7 +163,7 @@ TEST(AmbientClaim, IsThatOfLevels) {
 }
 
 TEST(ConeClaim, IsDarkOutsideTheCone) {
-  Scene scene = floor_scene();
+  Scene scene = small_floor();
   scene.lights = {light_of(SpotLight{{{0.01, 0.02, 2}, {}}, {0, 0, -1}, 0.4, 1})};
   scene.expect = {Oracle::ConeCurve};
   const ClosedForm known = closed_form(scene);
@@ -181,19 +175,19 @@ TEST(ConeClaim, IsDarkOutsideTheCone) {
 }
 
 TEST(ClosedForm, RefusesByNameWhatAnOracleCannotSay) {
-  Scene scene = floor_scene();
+  Scene scene = small_floor();
   scene.samples = 2;
   EXPECT_THAT(refusal_of(scene), HasSubstr("one sample"));
-  scene = floor_scene();
+  scene = small_floor();
   scene.shading = Shading::SampleCode;
   EXPECT_THAT(refusal_of(scene), HasSubstr("sample code"));
-  scene = floor_scene();
+  scene = small_floor();
   scene.objects.clear();
   EXPECT_THAT(refusal_of(scene), HasSubstr("a plane that the camera sees"));
-  scene = floor_scene();
+  scene = small_floor();
   scene.objects.push_back({"other", Plane{{0, 0, 1}, {0, 0, 1}}, 0});
   EXPECT_THAT(refusal_of(scene), HasSubstr("two that differ"));
-  scene = floor_scene();
+  scene = small_floor();
   scene.expect = {Oracle::ConeCurve};
   EXPECT_THAT(refusal_of(scene), HasSubstr("cone-curve"));
   scene.expect = {Oracle::Shell};
@@ -204,7 +198,7 @@ TEST(ClosedForm, RefusesByNameWhatAnOracleCannotSay) {
 }
 
 TEST(ClosedForm, SaysNothingOfASceneThatExpectsNothing) {
-  Scene scene = floor_scene();
+  Scene scene = small_floor();
   scene.expect.clear(), scene.samples = 3;
   const ClosedForm known = closed_form(scene);
   EXPECT_TRUE(known.layers.empty() && known.claims.empty() && known.figures.empty());

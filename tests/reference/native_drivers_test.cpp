@@ -13,7 +13,7 @@ namespace litmus {
 namespace {
 
 /// A floor seen from above under a sun at 60 degrees and a lamp that does not fade.
-Scene floor_scene() {
+Scene native_floor() {
   Scene scene;
   scene.name = "floor";
   scene.width = scene.height = 8;
@@ -41,7 +41,7 @@ TEST_P(NativeDriver, GivesTheModelsLightOfASun) {
   ReferenceOptions options;
   options.work = folder;
   std::vector<ReferenceResult> results;
-  Scene scene = floor_scene();
+  Scene scene = native_floor();
   scene.width = scene.height = 400;  // POV-Ray counts whole milliseconds
   driver().render(*installed, std::vector{scene}, options,
                   [&](ReferenceResult said) { results.push_back(std::move(said)); });
@@ -55,7 +55,7 @@ TEST_P(NativeDriver, GivesTheModelsLightOfASun) {
 
 TEST_P(NativeDriver, RendersSomethingElseThanTheExactDriver) {
   const std::string exact = GetParam().substr(0, GetParam().find('-'));
-  EXPECT_NE(driver().source(floor_scene()), find_driver(exact)->source(floor_scene()));
+  EXPECT_NE(driver().source(native_floor()), find_driver(exact)->source(native_floor()));
 }
 
 INSTANTIATE_TEST_SUITE_P(Reference, NativeDriver,

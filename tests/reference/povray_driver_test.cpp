@@ -50,7 +50,7 @@ constexpr int kWidth = 12, kHeight = 8;
 const Color kDiffuse(0.8, 0.6, 0.4);
 
 /// A floor of 6 x 4 units from above; pixels are half a unit apart.
-Scene floor_scene(const std::string& name) {
+Scene povray_floor(const std::string& name) {
   Scene scene;
   scene.name = name;
   scene.width = kWidth;
@@ -86,7 +86,7 @@ void expect_floor(const Picture& picture, const F& expected) {
 TEST_F(PovrayLive, RendersEachKindOfLightToItsClosedForm) {
   const Point at(0.3, -0.2, 2);
   const Vector travel(0.3, 0.4, -1.2);
-  Scene scene = floor_scene("kinds");
+  Scene scene = povray_floor("kinds");
   scene.ambient = {0.1, 0.2, 0.3};
   scene.lights.push_back(light("sun", DirectionalLight{travel}, 1.5));
   scene.lights.push_back(light("lamp", PointLight{at, {2, 0.5, 0.25}}));
@@ -123,7 +123,7 @@ TEST_F(PovrayLive, RendersEachKindOfLightToItsClosedForm) {
 }
 
 TEST_F(PovrayLive, IsFinerThanSixteenBits) {
-  Scene scene = floor_scene("fine");
+  Scene scene = povray_floor("fine");
   scene.lights.push_back(light("lamp", PointLight{{0.3, -0.2, 2}, {}}));
   const ReferenceResult result = render(scene);
   ASSERT_EQ(result.failure, "");
@@ -141,7 +141,7 @@ TEST_F(PovrayLive, IsFinerThanSixteenBits) {
 
 TEST_F(PovrayLive, KeepsDiffuseAndSpecularColoursApart) {
   // Under the eye of an orthographic camera, with light along the view, n.l = n.h = 1.
-  Scene scene = floor_scene("colours");
+  Scene scene = povray_floor("colours");
   scene.materials[0].specular = {0.1, 0.3, 0.2};
   scene.lights.push_back(light("sun", DirectionalLight{{0, 0, -1}}));
   scene.lights[0].diffuse = {0, 0.5, 1};
@@ -157,7 +157,7 @@ TEST_F(PovrayLive, KeepsDiffuseAndSpecularColoursApart) {
 }
 
 TEST_F(PovrayLive, CastsShadowsOfHiddenObjectsUnlessTheyAreOff) {
-  Scene scene = floor_scene("shadows");
+  Scene scene = povray_floor("shadows");
   scene.objects.push_back({"roof", Box{{-9, -9, 1}, {9, 9, 2}}, 0, false});
   scene.lights.push_back(light("sun", DirectionalLight{{0, 0, -1}}));
   Scene off = scene;
@@ -170,7 +170,7 @@ TEST_F(PovrayLive, CastsShadowsOfHiddenObjectsUnlessTheyAreOff) {
 }
 
 TEST_F(PovrayLive, AveragesTheSamplesOfAPixel) {
-  Scene scene = floor_scene("samples");
+  Scene scene = povray_floor("samples");
   scene.samples = 2;
   scene.lights.push_back(light("lamp", PointLight{{0.3, -0.2, 1}, {}}));
   const ReferenceResult result = render(scene);
@@ -185,7 +185,7 @@ TEST_F(PovrayLive, AveragesTheSamplesOfAPixel) {
 }
 
 TEST_F(PovrayLive, RendersASceneWithoutLights) {
-  Scene scene = floor_scene("dark");
+  Scene scene = povray_floor("dark");
   scene.ambient = Color(0.5);
   const ReferenceResult result = render(scene);
   ASSERT_EQ(result.failure, "");
@@ -194,9 +194,9 @@ TEST_F(PovrayLive, RendersASceneWithoutLights) {
 }
 
 TEST_F(PovrayLive, KeepsTheOtherScenesWhenOneFails) {
-  Scene bad = floor_scene("bad");
+  Scene bad = povray_floor("bad");
   bad.shading = Shading::SampleCode;
-  const auto results = render({floor_scene("one"), bad, floor_scene("two")});
+  const auto results = render({povray_floor("one"), bad, povray_floor("two")});
   EXPECT_THAT(results.at("bad").failure, HasSubstr("sample-code"));
   EXPECT_TRUE(results.at("bad").layers.empty());
   EXPECT_EQ(results.at("one").failure, "");
@@ -205,7 +205,7 @@ TEST_F(PovrayLive, KeepsTheOtherScenesWhenOneFails) {
 
 TEST_F(PovrayLive, ReportsAProgramThatFails) {
   ReferenceResult result;
-  povray_driver().render({"/bin/false", "0"}, std::vector{floor_scene("floor")}, in(folder),
+  povray_driver().render({"/bin/false", "0"}, std::vector{povray_floor("floor")}, in(folder),
                          [&](ReferenceResult r) { result = std::move(r); });
   EXPECT_THAT(result.failure, HasSubstr("exited with 1"));
   EXPECT_TRUE(result.layers.empty());
@@ -213,7 +213,7 @@ TEST_F(PovrayLive, ReportsAProgramThatFails) {
 
 TEST_F(PovrayLive, ReportsPicturesThatAreMissing) {
   ReferenceResult result;
-  povray_driver().render({"/bin/true", "0"}, std::vector{floor_scene("floor")}, in(folder),
+  povray_driver().render({"/bin/true", "0"}, std::vector{povray_floor("floor")}, in(folder),
                          [&](ReferenceResult r) { result = std::move(r); });
   EXPECT_THAT(result.failure, HasSubstr("scene.png"));
 }

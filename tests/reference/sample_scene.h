@@ -9,6 +9,7 @@
 #include <fstream>
 #include <sstream>
 #include <string>
+#include <utility>
 
 #include "scene/picture.h"
 #include "scene/scene.h"
@@ -28,6 +29,14 @@ inline Scene sample_scene(const std::string& name, double ambient = 0.1) {
   scene.lights.push_back({.name = "key", .shape = PointLight{Point(0, 0, 4), {}}});
   scene.lights.push_back({.name = "sun", .shape = DirectionalLight{}});
   return scene;
+}
+
+/// A white light of intensity 1, named "light".
+inline Light light_of(decltype(Light::shape) shape) {
+  Light light;
+  light.name = "light";
+  light.shape = std::move(shape);
+  return light;
 }
 
 /// A picture whose every value follows from `seed` and is a 32-bit float exactly.

@@ -38,12 +38,12 @@ std::vector<Scene> run_scenes() {
 
 double seed_of(const Scene& scene) { return scene.ambient.x * 1000; }
 
-std::optional<Installation> find_fake() { return Installation{"/bin/sh", "1.0"}; }
-std::string fake_source(const Scene& scene) { return scene.name; }
+std::optional<Installation> find_shell() { return Installation{"/bin/sh", "1.0"}; }
+std::string shell_source(const Scene& scene) { return scene.name; }
 
 /// Has a shell "render" each scene: it writes the seed that decides the pixels.
-void render_fake(const Installation&, std::span<const Scene> scenes,
-                 const ReferenceOptions& options, const ResultSink& sink) {
+void render_in_shell(const Installation&, std::span<const Scene> scenes,
+                     const ReferenceOptions& options, const ResultSink& sink) {
   for (const auto& scene : scenes) {
     ReferenceResult result;
     result.scene = scene.name;
@@ -67,7 +67,7 @@ std::vector<ObtainedReference> fill(const fs::path& folder, const Store& store, 
   options.fresh = fresh;
   options.program_version = "0.1.0";
   options.reference.work = folder / "work";
-  const Driver driver{"fake", "Fake", "fake", 1, find_fake, fake_source, render_fake};
+  const Driver driver{"fake", "Fake", "fake", 1, find_shell, shell_source, render_in_shell};
   return obtain(run_scenes(), driver, options);
 }
 

@@ -9,7 +9,7 @@
 namespace litmus {
 namespace {
 
-const std::vector<Scene>& scenes() {
+const std::vector<Scene>& bounded_scenes() {
   static const std::vector<Scene> all = small_canonical_scenes(24);
   return all;
 }
@@ -42,7 +42,7 @@ Distance distance(const Rendering& a, const Rendering& b) {
 
 // the error of a few hundred roundings; exponents of shininess multiply it.
 TEST(BoundedRelations, ScalingByThreeMovesTheLastDigitsOnly) {
-  for (const Scene& scene : scenes()) {
+  for (const Scene& scene : bounded_scenes()) {
     Motion three = scaling(0);
     three.by = 3;
     const Distance d = distance(render(scene), render(moved(scene, three)));
@@ -53,7 +53,7 @@ TEST(BoundedRelations, ScalingByThreeMovesTheLastDigitsOnly) {
 
 // coordinates near 1000 have lost ten bits.
 TEST(BoundedRelations, TranslationByAThousandCostsTenBits) {
-  for (const Scene& scene : scenes()) {
+  for (const Scene& scene : bounded_scenes()) {
     const Distance d = distance(render(scene), render(moved(scene, translation(0x1p10))));
     EXPECT_LE(d.largest, 1e-9) << scene.name;
     // At this size the edges of the chart's tiles pass through 32 pixel centres: a tie, which
@@ -64,7 +64,7 @@ TEST(BoundedRelations, TranslationByAThousandCostsTenBits) {
 
 //
 TEST(BoundedRelations, AQuarterTurnMovesTheLastDigitsOnly) {
-  for (const Scene& scene : scenes()) {
+  for (const Scene& scene : bounded_scenes()) {
     Scene turned = moved(scene, quarter_turn());
     // A vertical panel has its axes from the x axis, which does not turn along.
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
@@ -80,7 +80,7 @@ TEST(BoundedRelations, AQuarterTurnMovesTheLastDigitsOnly) {
 
 // A pixel's lights added in another order, or each rendered alone.
 TEST(BoundedRelations, LightsAddUp) {
-  for (const Scene& scene : scenes()) {
+  for (const Scene& scene : bounded_scenes()) {
     const Rendering all = render(scene);
     Picture sum(scene.width, scene.height);
     for (std::size_t i = 0; i <= scene.lights.size(); ++i) {
@@ -112,7 +112,7 @@ bool has_box(const Scene& scene) {
 
 TEST(BoundedRelations, AnyTurnMovesTheLastDigitsOnly) {
   int turned = 0;
-  for (const Scene& scene : scenes()) {
+  for (const Scene& scene : bounded_scenes()) {
     if (has_box(scene)) continue;  // boxes stay along the axes
     Scene other = moved(scene, rotation(0.7));
     for (Light& light : other.lights) {
@@ -131,7 +131,7 @@ TEST(BoundedRelations, AnyTurnMovesTheLastDigitsOnly) {
 // 29 bits between float and double, seen through the error of each.
 TEST(BoundedRelations, FloatIsAsFarFromQuadAsItsDigitsSay) {
   double in_float = 0, in_double = 0;
-  for (const Scene& scene : scenes()) {
+  for (const Scene& scene : bounded_scenes()) {
     if (scene.objects.size() > 8) continue;
     Scene tiny = scene;
     tiny.width = tiny.height = 8;

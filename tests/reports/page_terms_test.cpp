@@ -7,17 +7,10 @@
 #include <nlohmann/json.hpp>
 
 #include "scene/load.h"
+#include "tests/reports/stored_study.h"
 
 namespace litmus {
 namespace {
-
-Study stored_study(const char* scene, const char* control = "") {
-  StudyOptions options;
-  options.obtain.sources = Sources::Stored;
-  options.control = control;
-  const std::vector<Scene> scenes{load_scene(find_scene(scene))};
-  return run_study(scenes, options);
-}
 
 TEST(PageTerms, NameEveryTermThatALightHas) {
   const Study study = stored_study("s1");

@@ -19,6 +19,7 @@
 #include "scene/load.h"
 #include "test_paths.h"
 #include "tests/reports/sample_study.h"
+#include "tests/reports/stored_study.h"
 
 namespace litmus {
 namespace {
@@ -144,13 +145,6 @@ std::vector<double> numbers_in(std::string text) {
   for (std::sregex_iterator at(text.begin(), text.end(), number), end; at != end; ++at)
     found.push_back(std::stod(at->str()));
   return found;
-}
-
-Study stored_study(const char* name) {
-  StudyOptions options;
-  options.obtain.sources = Sources::Stored;
-  const std::vector<Scene> scenes{load_scene(find_scene(name))};
-  return run_study(scenes, options);
 }
 
 class PageInABrowser : public ::testing::Test {

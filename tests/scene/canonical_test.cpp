@@ -15,7 +15,7 @@ namespace {
 
 using testing::HasSubstr;
 
-std::string complaint(const std::string& name) {
+std::string name_complaint(const std::string& name) {
   try {
     find_scene(name);
   } catch (const Refusal& refusal) {
@@ -107,10 +107,10 @@ TEST(FindScene, DoesNotTakeTheBeginningOfAnId) {
 }
 
 TEST(FindScene, NamesTheNearestWhereThereIsNone) {
-  EXPECT_THAT(complaint("d5-sun-shado"), HasSubstr("did you mean d5-sun-shadow"));
-  EXPECT_THAT(complaint("spot"), HasSubstr("s5-spot-tilted"));
-  EXPECT_THAT(complaint("nothing-like-it"), HasSubstr("`litmus list`"));
-  EXPECT_THAT(complaint("no/such.toml"), HasSubstr("no such scene file"));
+  EXPECT_THAT(name_complaint("d5-sun-shado"), HasSubstr("did you mean d5-sun-shadow"));
+  EXPECT_THAT(name_complaint("spot"), HasSubstr("s5-spot-tilted"));
+  EXPECT_THAT(name_complaint("nothing-like-it"), HasSubstr("`litmus list`"));
+  EXPECT_THAT(name_complaint("no/such.toml"), HasSubstr("no such scene file"));
 }
 
 TEST(DataDirectory, IsWhatTheEnvironmentSays) {

@@ -18,7 +18,7 @@ std::string with_expect(const std::string& table) {
   return kScratchScene.substr(0, at) + table + kScratchScene.substr(at);
 }
 
-std::string complaint(const std::string& table) {
+std::string expect_complaint(const std::string& table) {
   const ScratchFolder folder;
   try {
     load_scene(folder.write("scene.toml", with_expect(table)));
@@ -45,13 +45,15 @@ TEST(Expect, MayBeAbsentAndDoesNotDecideThePicture) {
 }
 
 TEST(Expect, RefusesWhatItDoesNotKnow) {
-  EXPECT_THAT(complaint("[expect]\noracles = [\"flor\"]\n"),
+  EXPECT_THAT(expect_complaint("[expect]\noracles = [\"flor\"]\n"),
               AllOf(HasSubstr("oracles: "), HasSubstr("did you mean \"floor\"")));
-  EXPECT_THAT(complaint("[expect]\noracle = [\"floor\"]\n"), HasSubstr("oracle: unknown key"));
-  EXPECT_THAT(complaint("[expect]\noracles = [\"floor\", \"floor\"]\n"), HasSubstr("listed twice"));
-  EXPECT_THAT(complaint("[expect]\noracles = []\n"), HasSubstr("oracles"));
-  EXPECT_THAT(complaint("[expect]\n"), HasSubstr("oracles"));
-  EXPECT_NE(complaint("[expect]\noracles = \"floor\"\n"), "");
+  EXPECT_THAT(expect_complaint("[expect]\noracle = [\"floor\"]\n"),
+              HasSubstr("oracle: unknown key"));
+  EXPECT_THAT(expect_complaint("[expect]\noracles = [\"floor\", \"floor\"]\n"),
+              HasSubstr("listed twice"));
+  EXPECT_THAT(expect_complaint("[expect]\noracles = []\n"), HasSubstr("oracles"));
+  EXPECT_THAT(expect_complaint("[expect]\n"), HasSubstr("oracles"));
+  EXPECT_NE(expect_complaint("[expect]\noracles = \"floor\"\n"), "");
 }
 
 TEST(OracleNames, AreInTheOrderOfTheirValuesAndUnique) {

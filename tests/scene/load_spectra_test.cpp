@@ -20,7 +20,7 @@ plain = { file = "plain.txt" }
 )";
 
 /// kScratchScene with spectra in two of its colours.
-std::string spectral_text(const std::string& table = kTable) {
+std::string painted_text(const std::string& table = kTable) {
   std::string text =
       replaced(kScratchScene, "diffuse = 0.8", "diffuse = \"paint\"\nspecular = 0.5");
   text = replaced(text, "color = [1, 0.9, 0.8]", "color = \"warm\"");
@@ -42,7 +42,7 @@ Scene load(const std::string& text) {
 }
 
 TEST(SpectralScene, HasABandOfEachColour) {
-  const Scene scene = load(spectral_text());
+  const Scene scene = load(painted_text());
   ASSERT_TRUE(scene.spectra.has_value());
   EXPECT_EQ(scene.spectra->bands, 8);
   EXPECT_EQ(scene.spectra->materials[0].diffuse, band_means({{400, 700}, {.2, .8}}, 8));
@@ -58,13 +58,13 @@ TEST(SpectralScene, HasABandOfEachColour) {
 
 TEST(SpectralScene, TakesAMeasuredFileForAColour) {
   for (const auto& [name, at_400] : {std::pair{"tile", 0.5}, {"plain", 0.1}}) {
-    const Scene scene = load(replaced(spectral_text(), "\"paint\"", '"' + std::string(name) + '"'));
+    const Scene scene = load(replaced(painted_text(), "\"paint\"", '"' + std::string(name) + '"'));
     EXPECT_NEAR(scene.spectra->materials[0].diffuse[0], at_400, 0.01) << name;
   }
 }
 
 TEST(SpectralScene, KeepsRgbColoursThatStandIn) {
-  const Scene scene = load(spectral_text());
+  const Scene scene = load(painted_text());
   EXPECT_EQ(scene.materials[0].specular, Color(0.5));
   const Color warm = scene.lights[0].diffuse;
   EXPECT_GT(warm.r, warm.g);
@@ -74,7 +74,7 @@ TEST(SpectralScene, KeepsRgbColoursThatStandIn) {
 TEST(RgbScene, HasNoSpectra) { EXPECT_FALSE(load(kScratchScene).spectra.has_value()); }
 
 TEST(SpectralScene, HasAFingerprintOfItsBands) {
-  const std::string text = spectral_text();
+  const std::string text = painted_text();
   const auto print = [](const std::string& t) { return fingerprint(load(t)); };
   EXPECT_EQ(print(text), print(text));
   EXPECT_NE(print(text), print(replaced(text, "0.2], [700", "0.21], [700")));
@@ -85,7 +85,7 @@ TEST(SpectralScene, HasAFingerprintOfItsBands) {
 
 TEST(SpectralScene, SaysWhatStandsInWithoutColord) {
   setenv("XDG_DATA_DIRS", "/nonexistent", 1);
-  const Scene scene = load(replaced(spectral_text(), "\"warm\"", "\"day\""));
+  const Scene scene = load(replaced(painted_text(), "\"warm\"", "\"day\""));
   unsetenv("XDG_DATA_DIRS");
   EXPECT_THAT(scene.warnings, testing::UnorderedElementsAre(HasSubstr("blackbody of 6504 K"),
                                                             HasSubstr("fit by Gaussians")));
@@ -101,7 +101,7 @@ class SpectraRefused : public testing::TestWithParam<Mistake> {};
 
 /// The '@' in `with` is where the message must point.
 TEST_P(SpectraRefused, WithPlaceFieldAndRemedy) {
-  std::string text = replaced(spectral_text(), GetParam().find, GetParam().with);
+  std::string text = replaced(painted_text(), GetParam().find, GetParam().with);
   const std::string place = take_mark(text);
   const ScratchFolder folder;
   write_files(folder);

@@ -135,7 +135,7 @@ Mesh read_text(const std::string& text, bool smooth = false, std::size_t most = 
 }
 
 /// What read_obj says, or nothing.
-std::string complaint(const std::string& text, bool smooth = false, std::size_t most = 1000) {
+std::string obj_complaint(const std::string& text, bool smooth = false, std::size_t most = 1000) {
   try {
     read_text(text, smooth, most);
   } catch (const std::runtime_error& error) {
@@ -171,8 +171,9 @@ TEST(ReadObj, RefusesAFaceWithoutEndQuickly) {
     for (int i = 0; i < corners; ++i) text += i % 2 ? " 2" : i % 4 ? " 3" : " 1";
     return kQuad + text + "\n";
   };
-  EXPECT_EQ(complaint(face(4), false, 100000), "");
-  EXPECT_THAT(complaint(face(4097), false, 100000), HasSubstr(":6: a face may have 4096 corners"));
+  EXPECT_EQ(obj_complaint(face(4), false, 100000), "");
+  EXPECT_THAT(obj_complaint(face(4097), false, 100000),
+              HasSubstr(":6: a face may have 4096 corners"));
 }
 
 TEST(ReadObj, KeepsEveryBitOfAVertex) {
@@ -205,34 +206,35 @@ TEST(ReadObj, MakesNormalsWhereTheFileHasNone) {
 }
 
 TEST(ReadObj, RefusesVerticesThatAreNotNumbers) {
-  EXPECT_EQ(complaint(kQuad), "");
-  EXPECT_THAT(complaint("v 0 0 0\nv nan 0 0\n"), HasSubstr(":2: a vertex must be three finite"));
-  EXPECT_THAT(complaint("v 0 0 0\nv 1 inf 0\n"), HasSubstr(":2: "));
-  EXPECT_THAT(complaint("v 0 0\n"), HasSubstr(":1: "));
-  EXPECT_THAT(complaint("v 0 0 1e999\n"), HasSubstr(":1: "));
+  EXPECT_EQ(obj_complaint(kQuad), "");
+  EXPECT_THAT(obj_complaint("v 0 0 0\nv nan 0 0\n"),
+              HasSubstr(":2: a vertex must be three finite"));
+  EXPECT_THAT(obj_complaint("v 0 0 0\nv 1 inf 0\n"), HasSubstr(":2: "));
+  EXPECT_THAT(obj_complaint("v 0 0\n"), HasSubstr(":1: "));
+  EXPECT_THAT(obj_complaint("v 0 0 1e999\n"), HasSubstr(":1: "));
 }
 
 TEST(ReadObj, RefusesIndicesThatNameNothing) {
   const std::string vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
-  EXPECT_EQ(complaint(vertices + "f 1 2 3\n"), "");
-  EXPECT_THAT(complaint(vertices + "f 1 2 4\n"),
+  EXPECT_EQ(obj_complaint(vertices + "f 1 2 3\n"), "");
+  EXPECT_THAT(obj_complaint(vertices + "f 1 2 4\n"),
               HasSubstr(":4: \"4\" names no vertex; there are 3"));
-  EXPECT_THAT(complaint(vertices + "f 0 1 2\n"), HasSubstr(":4: "));
-  EXPECT_THAT(complaint(vertices + "f -4 1 2\n"), HasSubstr(":4: "));
-  EXPECT_THAT(complaint(vertices + "f 1 2 x\n"), HasSubstr(":4: "));
-  EXPECT_THAT(complaint(vertices + "f 1 2 99999999999999999999\n"), HasSubstr(":4: "));
-  EXPECT_THAT(complaint(vertices + "f 1//1 2//1 3//1\n"), HasSubstr("names no normal"));
-  EXPECT_THAT(complaint(vertices + "f 1 2\n"), HasSubstr("at least 3 corners"));
+  EXPECT_THAT(obj_complaint(vertices + "f 0 1 2\n"), HasSubstr(":4: "));
+  EXPECT_THAT(obj_complaint(vertices + "f -4 1 2\n"), HasSubstr(":4: "));
+  EXPECT_THAT(obj_complaint(vertices + "f 1 2 x\n"), HasSubstr(":4: "));
+  EXPECT_THAT(obj_complaint(vertices + "f 1 2 99999999999999999999\n"), HasSubstr(":4: "));
+  EXPECT_THAT(obj_complaint(vertices + "f 1//1 2//1 3//1\n"), HasSubstr("names no normal"));
+  EXPECT_THAT(obj_complaint(vertices + "f 1 2\n"), HasSubstr("at least 3 corners"));
 }
 
 TEST(ReadObj, RefusesAFileWithoutFaces) {
-  EXPECT_THAT(complaint(""), HasSubstr("no faces"));
-  EXPECT_THAT(complaint("v 0 0 0\n"), HasSubstr("no faces"));
+  EXPECT_THAT(obj_complaint(""), HasSubstr("no faces"));
+  EXPECT_THAT(obj_complaint("v 0 0 0\n"), HasSubstr("no faces"));
 }
 
 TEST(ReadObj, RefusesMoreTrianglesThanThereIsRoomFor) {
-  EXPECT_EQ(complaint(kQuad, false, 2), "");
-  EXPECT_THAT(complaint(kQuad, false, 1), HasSubstr(":5: more than 1 triangles"));
+  EXPECT_EQ(obj_complaint(kQuad, false, 2), "");
+  EXPECT_THAT(obj_complaint(kQuad, false, 1), HasSubstr(":5: more than 1 triangles"));
 }
 
 TEST(ReadObj, IsPlacedByTheScene) {

@@ -33,7 +33,7 @@ std::vector<NamedSpectrum> read(const std::string& text) {
   return read_spectra_file(folder.write("tile.sp", text));
 }
 
-std::string complaint(const std::string& text) {
+std::string file_complaint(const std::string& text) {
   try {
     read(text);
   } catch (const std::runtime_error& error) {
@@ -61,19 +61,21 @@ TEST(SpectraFile, ReadsTwoColumnsWithCommentsAndCommas) {
 }
 
 TEST(SpectraFile, NamesTheLineThatIsWrong) {
-  EXPECT_THAT(complaint("400 0.1\n500 x\n"), HasSubstr("line 2: must be a wavelength"));
-  EXPECT_THAT(complaint("400 0.1\n400 0.2\n"), HasSubstr("line 2: wavelengths must"));
-  EXPECT_THAT(complaint("400 nan\n"), HasSubstr("line 1"));
-  EXPECT_THAT(complaint("400 0.1 7\n"), HasSubstr("line 1"));
-  EXPECT_THAT(complaint("# nothing\n"), HasSubstr("has no samples"));
-  EXPECT_THAT(complaint(replaced(kCgats, "left 10", "left")), HasSubstr("line 11: "));
-  EXPECT_THAT(complaint(replaced(kCgats, "5 5 5\t", "5 5 five ")), HasSubstr("\"five\" is no"));
-  EXPECT_THAT(complaint(replaced(kCgats, "SPECTRAL_BANDS 4\n", "")), HasSubstr("SPECTRAL_BANDS"));
-  EXPECT_THAT(complaint(replaced(kCgats, "SPECTRAL_BANDS 4", "SPECTRAL_BANDS 1e9")),
+  EXPECT_THAT(file_complaint("400 0.1\n500 x\n"), HasSubstr("line 2: must be a wavelength"));
+  EXPECT_THAT(file_complaint("400 0.1\n400 0.2\n"), HasSubstr("line 2: wavelengths must"));
+  EXPECT_THAT(file_complaint("400 nan\n"), HasSubstr("line 1"));
+  EXPECT_THAT(file_complaint("400 0.1 7\n"), HasSubstr("line 1"));
+  EXPECT_THAT(file_complaint("# nothing\n"), HasSubstr("has no samples"));
+  EXPECT_THAT(file_complaint(replaced(kCgats, "left 10", "left")), HasSubstr("line 11: "));
+  EXPECT_THAT(file_complaint(replaced(kCgats, "5 5 5\t", "5 5 five ")),
+              HasSubstr("\"five\" is no"));
+  EXPECT_THAT(file_complaint(replaced(kCgats, "SPECTRAL_BANDS 4\n", "")),
+              HasSubstr("SPECTRAL_BANDS"));
+  EXPECT_THAT(file_complaint(replaced(kCgats, "SPECTRAL_BANDS 4", "SPECTRAL_BANDS 1e9")),
               HasSubstr("2..10000"));
-  EXPECT_THAT(complaint(replaced(kCgats, "SPECTRAL_NORM 100", "SPECTRAL_NORM 0")),
+  EXPECT_THAT(file_complaint(replaced(kCgats, "SPECTRAL_NORM 100", "SPECTRAL_NORM 0")),
               HasSubstr("SPECTRAL_NORM"));
-  EXPECT_THAT(complaint("BEGIN_DATA\n"), HasSubstr("SPECTRAL_START_NM"));
+  EXPECT_THAT(file_complaint("BEGIN_DATA\n"), HasSubstr("SPECTRAL_START_NM"));
 }
 
 TEST(SpectraFile, SaysThatThereIsNone) {
