@@ -45,11 +45,26 @@ std::string address_field(std::string_view text) {
   return safe;
 }
 
+// Whose picture shows the row's difference: the row's reference, or, where that has none (a closed
+// form is known at some pixels only), the first that has; "" without any.
+std::string shown_reference(const Study& study, const Comparison& row) {
+  const Case* one = find_case(study, row.scene);
+  if (one == nullptr || row.pixels == 0) return "";
+  std::string first;
+  for (const CaseLayer& layer : one->layers)
+    for (const CaseLayer::Theirs& theirs : layer.theirs) {
+      if (layer.light != row.light || !same_size(layer.ours, theirs.picture)) continue;
+      if (theirs.reference == row.reference) return row.reference;
+      if (first.empty()) first = theirs.reference;
+    }
+  return first;
+}
+
 // The address at which the viewer shows a row's worst pixel.
-std::string view_address(const Comparison& row) {
+std::string view_address(const Comparison& row, const std::string& reference) {
   const std::string view =
       fmt::format("#view?scene={}&light={}&with={}&show=difference", address_field(row.scene),
-                  address_field(row.light), address_field(row.reference));
+                  address_field(row.light), address_field(reference));
   // The viewer finds a pixel that is not finite by itself.
   return row.nonfinite > 0 ? view : fmt::format("{}&at={},{}", view, row.max_at[0], row.max_at[1]);
 }
@@ -63,7 +78,8 @@ data failure_data(const Study& study, const Comparison& row) {
   result.set("reason", text_data(row.reason));
   result.set("hint", row.hint.empty() ? flag(false) : text_data(row.hint));
   result.set("anchor", row_anchor(study, row));
-  result.set("view", row.pixels > 0 ? data(view_address(row)) : flag(false));
+  const std::string shown = shown_reference(study, row);
+  result.set("view", shown.empty() ? flag(false) : data(view_address(row, shown)));
   return result;
 }
 
