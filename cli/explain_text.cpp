@@ -32,7 +32,7 @@ std::string residual(const glm::dvec3& ours, const glm::dvec3& theirs) {
   return fmt::format("ours - theirs ({:.2g}, {:.2g}, {:.2g})", d.x, d.y, d.z);
 }
 
-struct Row {
+struct NumberRow {
   std::string symbol, numbers, value, remark;
 };
 
@@ -43,14 +43,14 @@ std::string without_trailing_spaces(std::string line) {
 
 /// "symbol = numbers = value  remark", the equals signs below each other; without numbers "symbol =
 /// value  remark".
-std::string aligned(const std::vector<Row>& rows) {
+std::string aligned(const std::vector<NumberRow>& rows) {
   std::size_t symbol = 0, numbers = 0;
-  for (const Row& row : rows) {
+  for (const NumberRow& row : rows) {
     symbol = std::max(symbol, row.symbol.size());
     numbers = std::max(numbers, row.numbers.size());
   }
   std::string text;
-  for (const Row& row : rows) {
+  for (const NumberRow& row : rows) {
     text += fmt::format("  {:<{}} = ", row.symbol, symbol);
     if (!row.numbers.empty()) text += fmt::format("{:<{}} = ", row.numbers, numbers);
     text += without_trailing_spaces(fmt::format("{}  {}", row.value, row.remark));
@@ -61,7 +61,7 @@ std::string aligned(const std::vector<Row>& rows) {
 // ---- What the references say -----------------------------------------------------------------
 
 /// The rendered value, where it is a mean of samples, and each reference's.
-void add_pictures(std::vector<Row>& rows, const Explanation& pixel, std::size_t layer,
+void add_pictures(std::vector<NumberRow>& rows, const Explanation& pixel, std::size_t layer,
                   std::span<const ReferencePixel> references) {
   const glm::dvec3& ours = pixel.layers[layer];
   if (pixel.samples > 1) {
@@ -99,7 +99,7 @@ std::string head(const Scene& scene, const Explanation& pixel) {
         pixel.samples, pixel.samples % 2 ? ", the middle one of them" : ", between them");
   }
   if (!pixel.hit) return text;
-  std::vector<Row> rows{
+  std::vector<NumberRow> rows{
       {"p", "", vector(pixel.point), fmt::format("the point seen, t = {:.6g}", pixel.t)},
       {"n", "", vector(pixel.normal), "its unit normal, towards the eye"}};
   if (pixel.geometric != pixel.normal)
@@ -115,7 +115,7 @@ std::string head(const Scene& scene, const Explanation& pixel) {
 
 std::string ambient_block(const Scene& scene, const Explanation& pixel,
                           std::span<const ReferencePixel> references) {
-  std::vector<Row> rows;
+  std::vector<NumberRow> rows;
   if (scene.shading == Shading::SampleCode) {
     rows.push_back({"ambient", "", "0", "the sample code adds ka Ia with each lamp"});
   } else {
@@ -137,7 +137,7 @@ const PointLight* place_of(const Light& light) {
 }
 
 /// Distance, attenuation and decay, as far as the light has them.
-void add_arrival(std::vector<Row>& rows, const Light& light, const LampExplanation& lamp) {
+void add_arrival(std::vector<NumberRow>& rows, const Light& light, const LampExplanation& lamp) {
   std::string symbols = "1", numbers;
   const auto factor = [&](const char* symbol, double value) {
     symbols = numbers.empty() ? symbol : symbols + " " + symbol;
@@ -185,7 +185,7 @@ std::string in_between(const Scene& scene, const LampExplanation& lamp) {
 }
 
 /// How the surface answers one lamp: l.n, (h.n)^ns, visibility, D and S.
-void add_answer(std::vector<Row>& rows, const Scene& scene, const Material& material,
+void add_answer(std::vector<NumberRow>& rows, const Scene& scene, const Material& material,
                 const LampExplanation& lamp) {
   const bool shiny = material.specular != Color(0),
              sample_code = scene.shading != Shading::Equation;
@@ -258,7 +258,7 @@ std::string light_block(const Scene& scene, const Explanation& pixel, std::size_
   const Light& source = scene.lights[index];
   const Material& material = pixel.material;
   std::string text = fmt::format("\n{} ({})\n", light.name, light.type);
-  std::vector<Row> rows;
+  std::vector<NumberRow> rows;
   if (light.lamps.empty()) {
     rows.push_back({"intensity", "", "0", "it adds nothing"});
   } else if (light.lamps.size() == 1) {

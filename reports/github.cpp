@@ -43,12 +43,6 @@ std::uint32_t line_of(const Case& one, const std::string& light) {
   return 1;
 }
 
-const Case* find_case(const Study& study, const std::string& scene) {
-  for (const Case& one : study.cases)
-    if (one.scene == scene) return &one;
-  return nullptr;
-}
-
 std::string annotation(const Case* one, const std::string& light, const std::string& title,
                        const std::string& message) {
   std::string properties = "title=" + github_property(clipped(title, kMessage));

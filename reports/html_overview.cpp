@@ -19,12 +19,6 @@ namespace litmus {
 namespace {
 using kainjow::mustache::data;
 
-const Case* find_case(const Study& study, const std::string& scene) {
-  for (const Case& one : study.cases)
-    if (one.scene == scene) return &one;
-  return nullptr;
-}
-
 std::string row_anchor(const Study& study, const Comparison& row) {
   const Case* one = find_case(study, row.scene);
   return one == nullptr ? "" : layer_anchor(study, *one, row.light);

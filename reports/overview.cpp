@@ -114,6 +114,12 @@ std::vector<const Comparison*> failures_of(const Study& study) {
   return rows;
 }
 
+const Case* find_case(const Study& study, const std::string& scene) {
+  for (const Case& one : study.cases)
+    if (one.scene == scene) return &one;
+  return nullptr;
+}
+
 std::vector<const Case*> cases_by_verdict(const Study& study) {
   std::vector<std::pair<double, const Case*>> ranked;  // larger comes first
   for (const Case& one : study.cases) {

@@ -52,6 +52,9 @@ const Comparison* find_row(const Study& study, const std::string& scene, const s
 /// because they repeat what a light's own row says.
 std::vector<const Comparison*> failures_of(const Study& study);
 
+/// The case of a scene; nullptr if there is none.
+const Case* find_case(const Study& study, const std::string& scene);
+
 /// The scenes with a failed row, the furthest over its tolerance first; then those with a skipped
 /// row, then the rest, in study order.
 std::vector<const Case*> cases_by_verdict(const Study& study);

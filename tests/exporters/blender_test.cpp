@@ -31,7 +31,7 @@ std::string as_blender(const Scene& scene, Writer write = write_blender) {
 }
 
 /// One object of each kind under one light of each type.
-Scene full_scene() {
+Scene full_blender_scene() {
   Scene scene;
   scene.name = "full";
   scene.about = "One of everything.";
@@ -94,7 +94,7 @@ TEST(BlenderExport, WritesEveryCanonicalScene) {
 }
 
 TEST(BlenderExport, NamesObjectsMaterialsAndLights) {
-  const std::string text = as_blender(full_scene());
+  const std::string text = as_blender(full_blender_scene());
   for (const char* line :
        {"plane(\"floor\", Material_Plain, [", "sphere(\"ball\", Material_Plain, (0, 0, 1), 1)",
         "box(\"crate\", Material_Plain, (1, 1, 0), (2, 2, 1), visible=False)",
@@ -107,15 +107,16 @@ TEST(BlenderExport, NamesObjectsMaterialsAndLights) {
 }
 
 TEST(BlenderExport, ListsItsFramesInTheHeader) {
-  EXPECT_THAT(as_blender(full_scene()), HasSubstr("#   1  ambient light\n"
-                                                  "#   2  directional light sun\n"
-                                                  "#   3  point light lamp\n"
-                                                  "#   4  spot light spot\n"
-                                                  "#   5-10  area light panel: its 3 x 2 samples"));
+  EXPECT_THAT(as_blender(full_blender_scene()),
+              HasSubstr("#   1  ambient light\n"
+                        "#   2  directional light sun\n"
+                        "#   3  point light lamp\n"
+                        "#   4  spot light spot\n"
+                        "#   5-10  area light panel: its 3 x 2 samples"));
 }
 
 TEST(BlenderExport, HasAFrameForEachSampleOfAnAreaLight) {
-  const auto frames = blender_frames(full_scene());
+  const auto frames = blender_frames(full_blender_scene());
   ASSERT_EQ(frames.size(), 10u);
   EXPECT_EQ(frames[0].light, -1);
   EXPECT_EQ(frames[3].light, 2);
@@ -125,7 +126,7 @@ TEST(BlenderExport, HasAFrameForEachSampleOfAnAreaLight) {
 }
 
 TEST(BlenderExport, AddsTheAmbientLightOfAllLightsOnce) {
-  Scene scene = full_scene();
+  Scene scene = full_blender_scene();
   scene.ambient = {0.5, 0.25, 0};
   scene.lights[0].intensity = 2;
   scene.lights[0].ambient = {0.25, 0, 0};
@@ -134,14 +135,14 @@ TEST(BlenderExport, AddsTheAmbientLightOfAllLightsOnce) {
 }
 
 TEST(BlenderExport, TurnsShadowsOffWhereTheSceneDoes) {
-  Scene scene = full_scene();
+  Scene scene = full_blender_scene();
   EXPECT_THAT(as_blender(scene), Not(HasSubstr("shadows=False)")));
   scene.shadows = false;
   EXPECT_THAT(as_blender(scene), HasSubstr("specular=(1, 1, 1), shadows=False)"));
 }
 
 TEST(BlenderExport, SaysWhereTheSceneWasMoved) {
-  Scene scene = full_scene();
+  Scene scene = full_blender_scene();
   EXPECT_THAT(as_blender(scene), Not(HasSubstr("Moved and scaled")));
   scene.objects = {{"far ball", Sphere{{1e5, 0, 0}, 1}, 0, true}};
   scene.camera.eye = {1e5, -5, 0};
@@ -152,10 +153,10 @@ TEST(BlenderExport, SaysWhereTheSceneWasMoved) {
 
 TEST(BlenderExport, ParsesAsPythonWhateverTheNamesAre) {
   if (!has_python()) GTEST_SKIP() << "python3 is not installed";
-  const Parsed plain = parse(as_blender(full_scene()));
+  const Parsed plain = parse(as_blender(full_blender_scene()));
   ASSERT_TRUE(plain.ok);
   ASSERT_GT(plain.imports, 0);
-  Scene hostile = full_scene();
+  Scene hostile = full_blender_scene();
   const std::string name = "\"\"\"; import os #\n\rimport os\\\n'''\x01\xff\u2028import os\n\"";
   hostile.name = hostile.about = name;
   for (Material& material : hostile.materials) material.name = name;
@@ -164,7 +165,7 @@ TEST(BlenderExport, ParsesAsPythonWhateverTheNamesAre) {
   for (const Writer write : {&write_blender, &write_blender_native}) {
     const Parsed parsed = parse(as_blender(hostile, write));
     EXPECT_TRUE(parsed.ok);
-    EXPECT_EQ(parsed.imports, parse(as_blender(full_scene(), write)).imports);
+    EXPECT_EQ(parsed.imports, parse(as_blender(full_blender_scene(), write)).imports);
   }
 }
 
@@ -182,7 +183,7 @@ struct German : std::numpunct<char> {
 };
 
 TEST(BlenderExport, DoesNotDependOnTheLocale) {
-  Scene scene = full_scene();
+  Scene scene = full_blender_scene();
   scene.width = 1920;
   auto& mesh = std::get<Mesh>(scene.objects.back().shape);
   mesh.vertices.resize(2000, Point(0.5));
@@ -199,7 +200,7 @@ TEST(BlenderExport, DoesNotDependOnTheLocale) {
 }
 
 TEST(BlenderExport, RefusesTheSampleCode) {
-  Scene scene = full_scene();
+  Scene scene = full_blender_scene();
   scene.shading = Shading::SampleCode;
   for (const Writer write : {&write_blender, &write_blender_native}) {
     try {
@@ -212,7 +213,7 @@ TEST(BlenderExport, RefusesTheSampleCode) {
 }
 
 TEST(BlenderExport, RefusesPicturesThatBlenderWouldEnlarge) {
-  Scene scene = full_scene();
+  Scene scene = full_blender_scene();
   scene.width = 3;
   EXPECT_THROW(as_blender(scene), Refusal);
   scene.samples = 2;
@@ -220,7 +221,7 @@ TEST(BlenderExport, RefusesPicturesThatBlenderWouldEnlarge) {
 }
 
 TEST(BlenderExport, HasNoCaveatsButWhereTheEyeIsInsideASphereOrAConeIsSteep) {
-  Scene scene = full_scene();
+  Scene scene = full_blender_scene();
   EXPECT_TRUE(blender_caveats(scene).empty());
   scene.objects.push_back({"dome", Sphere{{0, 0, 0}, 20}, 0, true});
   ASSERT_EQ(blender_caveats(scene).size(), 1u);
@@ -242,7 +243,7 @@ TEST(BlenderExport, FilesAreNamedSafely) {
 }
 
 TEST(BlenderNative, SaysWhatItCannotExpress) {
-  Scene scene = full_scene();
+  Scene scene = full_blender_scene();
   const std::string all = as_blender(scene, write_blender_native);
   EXPECT_THAT(all, HasSubstr("fall off as 1 / d^2"));
   EXPECT_THAT(all, HasSubstr("smoothstep"));
@@ -252,7 +253,7 @@ TEST(BlenderNative, SaysWhatItCannotExpress) {
 }
 
 TEST(BlenderNative, UsesTheLampsOfBlender) {
-  const std::string text = as_blender(full_scene(), write_blender_native);
+  const std::string text = as_blender(full_blender_scene(), write_blender_native);
   for (const char* line :
        {"\nsun(\"sun\", (0, 0, -1), 3.14159", "\npoint(\"lamp\", (0, 0, 4), ",
         "\nspot(\"spot\", (0, 0, 4), (0, 0, -1), ", "size=1, blend=0.6" /* 28.6 degrees */,

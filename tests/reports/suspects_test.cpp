@@ -13,7 +13,7 @@ namespace {
 using testing::HasSubstr;
 
 /// A verdict between two sources of the lamp in one scene.
-Comparison row(const std::string& reference, const std::string& against, bool pass) {
+Comparison pair_row(const std::string& reference, const std::string& against, bool pass) {
   Comparison result;
   result.scene = "p1", result.light = "lamp", result.light_type = "point";
   result.reference = reference, result.against = against, result.region = "interior";
@@ -29,10 +29,10 @@ Study study_with(const std::string& odd) {
     return a != odd && b != odd;
   };
   for (const char* reference : {"povray", "blender", "closed-form"})
-    study.comparisons.push_back(row(reference, "litmus", agree(reference, "litmus")));
-  study.pairs = {row("blender", "povray", agree("blender", "povray")),
-                 row("closed-form", "povray", agree("closed-form", "povray")),
-                 row("closed-form", "blender", agree("closed-form", "blender"))};
+    study.comparisons.push_back(pair_row(reference, "litmus", agree(reference, "litmus")));
+  study.pairs = {pair_row("blender", "povray", agree("blender", "povray")),
+                 pair_row("closed-form", "povray", agree("closed-form", "povray")),
+                 pair_row("closed-form", "blender", agree("closed-form", "blender"))};
   return study;
 }
 
@@ -68,7 +68,7 @@ TEST(Suspects, AreNotNamedInATie) {
 
 TEST(Suspects, NeedAThirdOpinion) {
   Study study;
-  study.comparisons = {row("povray", "litmus", false)};
+  study.comparisons = {pair_row("povray", "litmus", false)};
   name_suspects(study);
   EXPECT_EQ(study.comparisons[0].suspect, "");
   EXPECT_EQ(study.comparisons[0].reason, "");
@@ -76,7 +76,7 @@ TEST(Suspects, NeedAThirdOpinion) {
 
 TEST(Suspects, AreFoundPerLightOfAScene) {
   Study study = study_with("povray");
-  Comparison elsewhere = row("povray", "litmus", false);
+  Comparison elsewhere = pair_row("povray", "litmus", false);
   elsewhere.light = "other";
   study.comparisons.push_back(elsewhere);
   name_suspects(study);

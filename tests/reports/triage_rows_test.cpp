@@ -10,15 +10,15 @@
 namespace litmus {
 namespace {
 
-Comparison row(const std::string& light, const std::string& region, const std::string& verdict,
-               const std::string& reference = "blender") {
+Comparison layer_row(const std::string& light, const std::string& region,
+                     const std::string& verdict, const std::string& reference = "blender") {
   Comparison result;
   result.scene = "one", result.reference = reference, result.light = light;
   result.region = region, result.verdict = verdict;
   return result;
 }
 
-Study study_of(std::vector<Comparison> rows) {
+Study study_of_rows(std::vector<Comparison> rows) {
   Picture ours(16, 16), theirs(16, 16);
   for (std::size_t i = 0; i < ours.pixels.size(); ++i) {
     theirs.pixels[i] = glm::dvec3(0.003 * double(i));
@@ -39,7 +39,7 @@ Study study_of(std::vector<Comparison> rows) {
 }
 
 TEST(TriageRows, AreTheFailuresOfWholePictures) {
-  const Study study = study_of({row("all", "all", "fail")});
+  const Study study = study_of_rows({layer_row("all", "all", "fail")});
   ASSERT_TRUE(study.comparisons[0].triage);
   EXPECT_GT(study.comparisons[0].triage->ldr_flip, 0.01);
   EXPECT_LT(study.comparisons[0].triage->ssim, 1);
@@ -47,13 +47,15 @@ TEST(TriageRows, AreTheFailuresOfWholePictures) {
 
 TEST(TriageRows, AreNoOthers) {
   const Study study =
-      study_of({row("all", "all", "pass"), row("all", "edge", "fail"), row("spot", "all", "fail"),
-                row("all", "all", "fail", "povray"), row("all", "all", "fail", "nobody")});
+      study_of_rows({layer_row("all", "all", "pass"), layer_row("all", "edge", "fail"),
+                     layer_row("spot", "all", "fail"), layer_row("all", "all", "fail", "povray"),
+                     layer_row("all", "all", "fail", "nobody")});
   for (const Comparison& each : study.comparisons) EXPECT_FALSE(each.triage) << each.light;
 }
 
 TEST(TriageRows, AreInTheJsonWhereTheyAre) {
-  const Study study = study_of({row("all", "all", "fail"), row("all", "all", "pass")});
+  const Study study =
+      study_of_rows({layer_row("all", "all", "fail"), layer_row("all", "all", "pass")});
   const auto rows = nlohmann::json::parse(results_json(study))["comparisons"];
   EXPECT_EQ(rows[0]["triage"]["hdr_flip"], study.comparisons[0].triage->hdr_flip);
   EXPECT_FALSE(rows[1].contains("triage"));
