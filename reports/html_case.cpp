@@ -8,7 +8,9 @@
 
 #include "compare/difference.h"
 #include "compare/verdict.h"
+#include "reports/blame.h"
 #include "reports/html_baseline.h"
+#include "reports/overview.h"
 #include "reports/page_data.h"
 #include "reports/plain_text.h"
 #include "reports/web_assets.h"
@@ -95,6 +97,9 @@ data row_data(const Comparison& row) {
   result.set("mark", mark_of(row.verdict));
   result.set("reason", text_data(row.reason));
   result.set("hint", row.hint.empty() || row.region == "all" ? flag(false) : text_data(row.hint));
+  result.set("blame", row.blame && row.region != "all"
+                          ? text_data(blame_sentence(*row.blame, reference_title(row.reference)))
+                          : flag(false));
   result.set("has_reason", flag(!row.reason.empty()));
   result.set("show_reason", flag(!row.reason.empty() && row.pixels > 0 && row.region != "all"));
   result.set("has_figures", flag(row.verdict != "skipped" && row.pixels > 0));

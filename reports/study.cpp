@@ -14,6 +14,7 @@
 #include "reference/closed_form.h"
 #include "reports/alignment.h"
 #include "reports/band_rows.h"
+#include "reports/blame.h"
 #include "reports/candidates.h"
 #include "reports/closed_form_rows.h"
 #include "reports/controls.h"
@@ -235,6 +236,7 @@ Study run_study(std::span<const Scene> scenes, const StudyOptions& options) {
   study.warnings = tolerance_warnings(tolerances(), nearby(tolerances_file()));
   name_suspects(study);
   add_triage(study);
+  add_blame(study, scenes);
   study.provenance = provenance_of(drivers);
   for (const Candidate& candidate : options.candidates)
     study.candidates.push_back({candidate.name, std::string(name_of(candidate.encoding)),

@@ -21,6 +21,18 @@ namespace litmus {
 
 inline constexpr int kResultsSchemaVersion = 1;
 
+/// Whose error a failing row is: its worst pixels, judged by renders in quad precision (blame.h).
+struct Blame {
+  std::string verdict;  ///< "ours" | "the reference's" | "ill-conditioned"
+  int pixels = 0;       ///< looked at; each counts in one of the three
+  int ours = 0;         ///< our value is farther from the truth
+  int theirs = 0;       ///< theirs is
+  /// A boundary at the pixel's centre has our value on one side, theirs on the other.
+  int ill_conditioned = 0;
+  /// The largest distances from the truth, where well conditioned.
+  double our_error = 0, their_error = 0;
+};
+
 /// One row of results.json: one light of one scene against one reference in one region.
 struct Comparison {
   std::string scene;       ///< canonical name or file stem
@@ -48,12 +60,15 @@ struct Comparison {
   std::string reason;  ///< why it failed or was skipped, or what a pass rests on; may be empty
   std::string hint;  ///< of a failure: a factor or an encoding that would explain it; may be empty
   std::vector<std::string> causes;  ///< one sentence per listed pixel
-  std::string suspect;  ///< of a failure: the one source that all others disagree with; may be empty
-  std::optional<Triage> triage;     ///< of failing whole pictures (light and region "all") only
+  /// Of a failure: the one source that all others disagree with; may be empty.
+  std::string suspect;
+  std::optional<Triage> triage;  ///< of failing whole pictures (light and region "all") only
+  /// Of a renderer's failing rows with pixels over the tolerance; RGB only.
+  std::optional<Blame> blame;
   /// Of a spectral scene the bands where the row is worst, such as "580-610 nm"; its figures are
   /// of the values per band. Empty for RGB.
   std::string bands{};
-  std::string against = "litmus";   ///< whose picture stands for `ours`: litmus, or a reference
+  std::string against = "litmus";  ///< whose picture stands for `ours`: litmus, or a reference
 };
 
 /// What one light adds, by litmus and by each reference.
@@ -114,7 +129,7 @@ struct Study {
   /// says what it would be.
   std::vector<Comparison> informative;
   /// Each reference and closed form against each other one (`against`), layer by layer, interior
-/// only: what decides who the suspect is where a row fails.
+  /// only: what decides who the suspect is where a row fails.
   std::vector<Comparison> pairs;
   std::vector<CandidateNote> candidates;
   std::optional<BaselineReport> baseline;  ///< of a run that was given one

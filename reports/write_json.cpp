@@ -107,6 +107,14 @@ ordered_json comparison_json(const Comparison& row) {
     json["triage"] = {{"ldr_flip", finite(row.triage->ldr_flip, row.scene + ".ldr_flip")},
                       {"hdr_flip", finite(row.triage->hdr_flip, row.scene + ".hdr_flip")},
                       {"ssim", finite(row.triage->ssim, row.scene + ".ssim")}};
+  if (row.blame)
+    json["blame"] = {{"verdict", row.blame->verdict},
+                     {"pixels", row.blame->pixels},
+                     {"ours", row.blame->ours},
+                     {"theirs", row.blame->theirs},
+                     {"ill_conditioned", row.blame->ill_conditioned},
+                     {"our_error", finite(row.blame->our_error, row.scene + ".our_error")},
+                     {"their_error", finite(row.blame->their_error, row.scene + ".their_error")}};
   json["bands"] = row.bands;
   json["against"] = row.against;
   return json;

@@ -8,6 +8,7 @@
 
 #include "compare/difference.h"
 #include "compare/whole_file.h"
+#include "reports/blame.h"
 #include "reports/overview.h"
 #include "reports/plain_text.h"
 
@@ -45,6 +46,8 @@ std::string figures(const Comparison& row) {
   text += fmt::format("tolerance {}\nmean tolerance {}\n", row.tolerance, row.mean_tolerance);
   if (!row.bands.empty()) text += fmt::format("worst bands {}\n", row.bands);
   if (!row.hint.empty()) text += row.hint + "\n";
+  if (row.blame)
+    text += "whose error: " + blame_sentence(*row.blame, reference_title(row.reference)) + "\n";
   for (const std::string& cause : row.causes) text += cause + "\n";
   return text;
 }
