@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 
 #include "tests/cli/program_test.h"
-#include "tests/reports/json_schema.h"
+#include "tests/json_schema.h"
 
 namespace litmus {
 namespace {
@@ -17,10 +17,7 @@ struct ExplainSchema : ProgramTest {
     return json::parse(ended.text);
   }
   static std::vector<std::string> errors(const json& value) {
-    std::ifstream file(LITMUS_SOURCE "/cli/explain.schema.json");
-    std::vector<std::string> errors;
-    check_schema(json::parse(file), value, "", errors);
-    return errors;
+    return schema_mismatches("cli/explain.schema.json", value);
   }
 };
 

@@ -4,12 +4,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <limits>
+#include <nlohmann/json.hpp>
 
 #include "reports/stress_page.h"
-#include "test_paths.h"
-#include "tests/reports/json_schema.h"
+#include "tests/json_schema.h"
 
 namespace litmus {
 namespace {
@@ -42,10 +41,7 @@ StressReport sample() {
 }
 
 std::vector<std::string> schema_errors(const StressReport& report) {
-  std::ifstream file(LITMUS_SOURCE "/reports/stress.schema.json");
-  std::vector<std::string> errors;
-  check_schema(json::parse(file), json::parse(stress_json(report)), "", errors);
-  return errors;
+  return schema_mismatches("reports/stress.schema.json", json::parse(stress_json(report)));
 }
 
 TEST(StressJson, MatchesItsSchemaEvenWithWhatIsNotFinite) {

@@ -4,13 +4,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <limits>
 #include <stdexcept>
 
 #include "scene/load.h"
-#include "test_paths.h"
-#include "tests/reports/json_schema.h"
+#include "tests/json_schema.h"
 #include "tests/reports/sample_study.h"
 
 namespace litmus {
@@ -20,10 +18,7 @@ using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
 std::vector<std::string> schema_errors(const json& results) {
-  std::ifstream file(LITMUS_SOURCE "/reports/results.schema.json");
-  std::vector<std::string> errors;
-  check_schema(json::parse(file), results, "", errors);
-  return errors;
+  return schema_mismatches("reports/results.schema.json", results);
 }
 
 TEST(ResultsJson, MatchesItsSchema) {
