@@ -1,7 +1,7 @@
 // json_schema.h: whether JSON is as a published schema says.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
