@@ -88,6 +88,28 @@ V polynomial(const V& x, const R (&c)[N]) {
   return sum;
 }
 
+/// c[0] + ... + c[N - 1] x^(N - 1), where powers[k] is x^(2^k).
+template <std::size_t N, Value V, class R>
+V sum_by_halves(const V* powers, const R* c) {
+  if constexpr (N == 1) {
+    return V(c[0]);
+  } else {
+    constexpr int kLevel = std::bit_width(N - 1) - 1;
+    constexpr std::size_t kLow = std::size_t(1) << kLevel;
+    return sum_by_halves<kLow>(powers, c) +
+           sum_by_halves<N - kLow>(powers, c + kLow) * powers[kLevel];
+  }
+}
+
+/// The same polynomial by Estrin's scheme, whose halves do not wait for each other as the steps of
+/// Horner's rule do; a little less exact.
+template <Value V, class R, std::size_t N>
+V polynomial_by_halves(const V& x, const R (&c)[N]) {
+  V powers[std::bit_width(N - 1)] = {x};
+  for (std::size_t k = 1; k < std::bit_width(N - 1); ++k) powers[k] = powers[k - 1] * powers[k - 1];
+  return sum_by_halves<N>(powers, c);
+}
+
 // ---- Exponentials ----------------------------------------------------------------------------
 
 /// 2^n of a whole number n for which that is a normal number.
@@ -115,7 +137,7 @@ ReducedExponent<V> reduce_exponent(const V& x) {
   const V high = x - n * C::kLn2High, low = n * C::kLn2Low;
   const V r = high - low;
   const V lost = (high - r) - low;
-  return {n, r + (r * r * polynomial(r, C::kExp) + lost)};
+  return {n, r + (r * r * polynomial_by_halves(r, C::kExp) + lost)};
 }
 
 /// exp(x) to 1 ulp where it is a normal number; 0 and infinity past the ends.
@@ -180,7 +202,7 @@ V sum_logarithm(const V& exponent, const V& f, const V& correction) {
   const V half_square = Scalar<V>(0.5) * f * f;
   const V s = f / (Scalar<V>(2) + f);
   const V z = s * s;
-  const V rest = s * (half_square + z * polynomial(z, C::kLog));
+  const V rest = s * (half_square + z * polynomial_by_halves(z, C::kLog));
   return exponent * C::kLn2High -
          ((half_square - (rest + (exponent * C::kLn2Low + correction))) - f);
 }
@@ -214,7 +236,7 @@ V log1p_of(const V& x) {
     const SplitNumber<V> split = split_number(u);
     const Mask<V> near = split.exponent == R(0);  // no digit of x is lost then
     const V f = select(near, x, V(split.m - R(1)));
-    const V correction = select(near, V(R(0)), V((x - (u - R(1))) / u));
+    const V correction = all_of(near) ? V(R(0)) : select(near, V(R(0)), V((x - (u - R(1))) / u));
     const V result = sum_logarithm(split.exponent, f, correction);
     return select(u == R(0), V(-std::numeric_limits<R>::infinity()), result);
   }
