@@ -42,18 +42,13 @@ Kind kind_at(const Hit<V>& hit, int i) {
   }
 }
 
-/// Where the hit is on that surface.
-template <Value V>
-Mask<V> on_surface(const Hit<V>& hit, Kind kind, int index) {
-  return (hit.kind == kind_value<V>(kind)) & (hit.index == Index<V>(index));
-}
-
 /// Nearest first; of equals the object that comes first in the scene, then the lower index.
 template <Value V>
 Mask<V> comes_before(const V& t, int object, int index, const Hit<V>& best) {
+  const Mask<V> nearer = t < best.t, tied = t == best.t;
+  if (none_of(tied)) return nearer;
   const Index<V> o(object), i(index);
-  return (t < best.t) |
-         ((t == best.t) & ((o < best.object) | ((o == best.object) & (i < best.index))));
+  return nearer | (tied & ((o < best.object) | ((o == best.object) & (i < best.index))));
 }
 
 /// One lane of a ray.
@@ -90,7 +85,7 @@ struct Settled {
 template <Value V>
 Settled<V> settle(const SphereSurface<Scalar<V>>& sphere, const Hit<V>& hit) {
   const Vec<V> center(sphere.center);
-  const Vec<V> normal = normalize(hit.point - center);
+  const Vec<V> normal = normalize<Divide::Once>(hit.point - center);
   const Vec<V> point = center + V(sphere.radius) * normal;
   return {point, normal, normal, max_abs(point)};
 }
@@ -130,7 +125,7 @@ Settled<V> settle(const std::array<Vec<R>, 3>& corners, const TriangleInfo<R>& i
   const Vec<V> normal(info.normal);
   const R reach = std::max({max_abs(corners[0]), max_abs(corners[1]), max_abs(corners[2])});
   return {a + (hit.v * ab + hit.w * ac), normal,
-          info.smooth ? normalize(between(info.normals)) : normal, V(reach)};
+          info.smooth ? normalize<Divide::Once>(between(info.normals)) : normal, V(reach)};
 }
 
 /// The geometric and shading normal of a hit, and its point moved onto the surface.
@@ -203,30 +198,39 @@ void closest_triangle(const Plan<R>& plan, const Ray<V>& rays, Hit<V>& best) {
 template <Real R, Value V = R>
 Hit<V> closest_hit(const Plan<R>& plan, const std::type_identity_t<Ray<V>>& ray) {
   Hit<V> best;
-  const auto offer = [&](Kind kind, const V& t, int object, int index, const Index<V>& face) {
+  const auto offer = [&](Kind kind, const V& t, int object, int index) {
     const Mask<V> nearer = (t > R(0)) & comes_before(t, object, index, best);
     best.kind = select(nearer, kind_value<V>(kind), best.kind);
     best.t = select(nearer, t, best.t);
     best.object = select(nearer, Index<V>(object), best.object);
     best.index = select(nearer, Index<V>(index), best.index);
-    best.face = select(nearer, face, best.face);
+    return nearer;
   };
   const auto offer_chord = [&](Kind kind, const Chord<V>& chord, int object, int index) {
     const Mask<V> hits = chord.enter <= chord.leave, outside = chord.enter > R(0);
     const V t = select(hits, select(outside, chord.enter, chord.leave), V(R(-1)));
-    offer(kind, t, object, index, select(outside, chord.enter_face, chord.leave_face));
+    const Mask<V> nearer = offer(kind, t, object, index);
+    if (kind != Kind::Box) return;
+    best.face = select(nearer, select(outside, chord.enter_face, chord.leave_face), best.face);
   };
   const auto seen = [&](int object) { return plan.camera_visible[std::size_t(object)] != 0; };
+  const auto met = [&](int object, const Ball<R>& ball) {
+    return seen(object) && any_of(may_meet(ball, ray));
+  };
   for (int i = 0; const auto& part : plan.planes) {
-    if (seen(part.object)) offer(Kind::Plane, intersect(part.shape, ray), part.object, i, 0);
+    if (seen(part.object)) offer(Kind::Plane, intersect(part.shape, ray), part.object, i);
     ++i;
   }
   for (int i = 0; const auto& part : plan.spheres) {
-    if (seen(part.object)) offer_chord(Kind::Sphere, intersect(part.shape, ray), part.object, i);
+    if (met(part.object, ball_around(part.shape))) {
+      offer_chord(Kind::Sphere, intersect(part.shape, ray), part.object, i);
+    }
     ++i;
   }
   for (int i = 0; const auto& part : plan.boxes) {
-    if (seen(part.object)) offer_chord(Kind::Box, intersect(part.shape, ray), part.object, i);
+    if (met(part.object, ball_around(part.shape))) {
+      offer_chord(Kind::Box, intersect(part.shape, ray), part.object, i);
+    }
     ++i;
   }
   if (!plan.triangles.empty()) closest_triangle(plan, ray, best);

@@ -25,11 +25,6 @@ template <Real R>
 struct PlaneSurface {
   Vec<R> point, normal;  ///< normal is unit
 };
-template <Real R>
-struct BoxSurface {
-  Vec<R> min, max;
-};
-
 /// A ball around something.
 template <Real R>
 struct Ball {
@@ -38,9 +33,49 @@ struct Ball {
 };
 
 template <Real R>
-Ball<R> box_ball(const BoxSurface<R>& box) {
-  const Vec<R> half = R(0.5) * (box.max - box.min);
-  return {box.min + half, direction_of(half).length};
+struct BoxSurface {
+  Vec<R> min, max;
+};
+
+/// A box with the ball around it.
+template <Real R>
+struct BoundedBox : BoxSurface<R> {
+  Ball<R> ball;
+};
+
+/// Less than any square that matters; more than what is lost where squares underflow.
+template <Real R>
+inline const R kTiny = SafeSquares<R>::kSmall;
+
+/// The ball around the box between two corners, wider than the rounding of its centre.
+template <Real R>
+Ball<R> box_ball(const Vec<R>& min, const Vec<R>& max) {
+  const Vec<R> half = R(0.5) * (max - min);
+  const R rounding = gamma_bound<R>(8) * (max_abs(min) + max_abs(max));
+  return {min + half, direction_of(half).length + rounding};
+}
+
+template <Real R>
+Ball<R> ball_around(const SphereSurface<R>& sphere) {
+  return {sphere.center, sphere.radius};
+}
+template <Real R>
+const Ball<R>& ball_around(const BoundedBox<R>& box) {
+  return box.ball;
+}
+
+/// Where a ray may meet what is in a ball. Cheaper than meeting it, and wider than any rounding: of
+/// the surface's own test, too, for 64 roundings of the ball's distance are more than both take.
+template <Value V>
+Mask<V> may_meet(const Ball<Scalar<V>>& ball, const Ray<V>& ray) {
+  using R = Scalar<V>;
+  const Vec<V> f = ray.origin - Vec<V>(ball.center);
+  const V squared = dot(f, f), along = dot(f, ray.direction);
+  const V a = dot(ray.direction, ray.direction);
+  const V reach = squared * (R(64) * kUnit<R>)+(ball.radius * ball.radius + kTiny<R>);
+  const Mask<V> beside = squared * a - along * along > reach * a;
+  const Mask<V> behind = (along > R(0)) & (squared > reach);
+  return !(beside | behind);
 }
 
 /// The two parameters where a line enters and leaves; enter > leave if it misses.
@@ -53,7 +88,7 @@ struct Chord {
 
 /// A sphere whose square would over- or underflow, with its ray, at a power of two of their size.
 template <Value V>
-Chord<V> intersect_scaled(const SphereSurface<Scalar<V>>& sphere, const Ray<V>& ray);
+Chord<V> intersect_scaled(SphereSurface<Scalar<V>> sphere, Ray<V> ray);
 
 /// Haines, Guenther and Akenine-Moeller 2019 (Ray Tracing Gems, chapter 7): the discriminant from
 /// the distance of the centre to the ray, which does not cancel for a small far sphere. A tangent
@@ -85,7 +120,7 @@ Chord<V> intersect(const SphereSurface<Scalar<V>>& sphere, const Ray<V>& ray) {
 }
 
 template <Value V>
-Chord<V> intersect_scaled(const SphereSurface<Scalar<V>>& sphere, const Ray<V>& ray) {
+LITMUS_COLD Chord<V> intersect_scaled(SphereSurface<Scalar<V>> sphere, Ray<V> ray) {
   using std::frexp, std::ldexp;
   using R = Scalar<V>;
   int exponent = 0;
@@ -96,13 +131,15 @@ Chord<V> intersect_scaled(const SphereSurface<Scalar<V>>& sphere, const Ray<V>& 
   return {chord.enter / scale, chord.leave / scale};
 }
 
-/// The one parameter where a line crosses a plane; negative if it is parallel to it.
+/// The one parameter where a ray crosses a plane; negative if it does not.
 template <Value V>
 V intersect(const PlaneSurface<Scalar<V>>& plane, const Ray<V>& ray) {
   using R = Scalar<V>;
   const Vec<V> normal(plane.normal);
   const V slope = dot(normal, ray.direction);
-  return select(slope == R(0), V(R(-1)), V(dot(Vec<V>(plane.point) - ray.origin, normal) / slope));
+  const V height = dot(Vec<V>(plane.point) - ray.origin, normal);
+  const Mask<V> ahead = ((height > R(0)) & (slope > R(0))) | ((height < R(0)) & (slope < R(0)));
+  return none_of(ahead) ? V(R(-1)) : select(ahead, V(height / slope), V(R(-1)));
 }
 
 /// Slabs. The comparisons are ordered so that 0 * infinity (a ray in the plane of a face) changes

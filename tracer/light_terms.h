@@ -115,8 +115,8 @@ Mask<V> unhidden(const Plan<R>& plan, const Hit<V>& hit, const LampTerms<V>& one
 /// D and S of one lamp at a hit seen from the direction `eye` (unit, towards the eye).
 template <Real R, Value V>
 LampTerms<V> lamp_terms(const Plan<R>& plan, const Lamp<R>& lamp, const Hit<V>& hit,
-                        const Finish<V>& finish, const Vec<V>& eye, const Suspects& suspects = {},
-                        Counts* counts = nullptr) {
+                        const Finish<V>& finish, const Vec<V>& eye,
+                        const Suspects& suspects = kEverything, Counts* counts = nullptr) {
   const Mask<V> seen = hit.object >= Index<V>(0);
   // Which side is it on? The sample code does not ask.
   LampTerms<V> result;
@@ -199,8 +199,9 @@ LightTerms<V> light_terms(const Plan<R>& plan, const Source<R>& source, const Hi
   Total<V> diffuse, specular;
   // One look at all that may be in the way pays off for several lamps.
   const bool cull = plan.shadows && !plan.everything && source.lamps.size() > 3;
-  const Suspects suspects =
-      cull ? find_suspects(plan, source, hit, hit.object >= Index<V>(0)) : Suspects{};
+  Suspects found;
+  if (cull) find_suspects(plan, source, hit, hit.object >= Index<V>(0), found);
+  const Suspects& suspects = cull ? found : kEverything;
   for (const Lamp<R>& lamp : source.lamps) {
     const LampTerms<V> one = lamp_terms(plan, lamp, hit, finish, eye, suspects, counts);
     diffuse.add(one.terms.diffuse);

@@ -44,7 +44,7 @@ void look(const Plan<R>& plan, const V& x, const V& y, const Mask<V>& inside, Co
     for (std::size_t k = 0; k <= plan.sources.size() && plan.edges; ++k) visit(k, object);
     return;
   }
-  const Vec<V> eye = -normalize(ray.direction);
+  const Vec<V> eye = -normalize<Divide::Once>(ray.direction);
   const Finish<V> finish = finish_of(plan, hit);
   Seen<V> seen = object;
   if (!plan.sample_code) seen.color = widen(finish.ambient) * Vec<Sum<V>>(widen(plan.ambient));
@@ -116,11 +116,13 @@ void render_pixels(const Plan<R>& plan, const RenderOptions& options, int x, int
       });
     }
   }
-  const Sum<V> count = Sum<R>(n * n);
+  const auto mean = [&](const Vec<Sum<V>>& sum) {
+    return n == 1 ? sum : sum / Sum<V>(Sum<R>(n * n));
+  };
   for (std::size_t k = 0; k < sums.layers.size(); ++k) {
-    store(sums.layers[k] / count, result.layers[k].picture, x, y);
+    store(mean(sums.layers[k]), result.layers[k].picture, x, y);
   }
-  store(sums.whole / count, result.whole, x, y);
+  store(mean(sums.whole), result.whole, x, y);
 }
 
 /// One row of the picture, in each of its layers.

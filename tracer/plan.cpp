@@ -108,7 +108,8 @@ void add_object(Plan<R>& plan, int index, const Object& object, bool smooth) {
                    plan.planes.push_back({{Vec<R>(p.point), normalize(Vec<R>(p.normal))}, index});
                  },
                  [&](const Box& b) {
-                   plan.boxes.push_back({{Vec<R>(b.min), Vec<R>(b.max)}, index});
+                   const Vec<R> min(b.min), max(b.max);
+                   plan.boxes.push_back({{{min, max}, box_ball(min, max)}, index});
                  },
                  [&](const Triangle& t) {
                    add_triangle<R>(plan, index, {Vec<R>(t.a), Vec<R>(t.b), Vec<R>(t.c)}, nullptr);
@@ -128,7 +129,7 @@ Ball<R> ball_of(const std::vector<Lamp<R>>& lamps) {
     min = {std::min(min.x, p.x), std::min(min.y, p.y), std::min(min.z, p.z)};
     max = {std::max(max.x, p.x), std::max(max.y, p.y), std::max(max.z, p.z)};
   }
-  return box_ball(BoxSurface<R>{min, max});
+  return box_ball(min, max);
 }
 
 template <Real R>
@@ -184,7 +185,7 @@ Plan<R> lower(const Scene& scene, const Effects& effects) {
   }
   plan.bvh = build_bvh(plan.triangles);
   if (!plan.triangles.empty()) {
-    plan.mesh_ball = box_ball(BoxSurface<R>{plan.bvh.nodes[0].min, plan.bvh.nodes[0].max});
+    plan.mesh_ball = box_ball(plan.bvh.nodes[0].min, plan.bvh.nodes[0].max);
   }
   for (const Light& light : scene.lights) {
     const R intensity(light.intensity);

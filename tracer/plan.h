@@ -58,7 +58,7 @@ struct Plan {
   View<R> view;
   std::vector<Part<SphereSurface<R>>> spheres;
   std::vector<Part<PlaneSurface<R>>> planes;
-  std::vector<Part<BoxSurface<R>>> boxes;
+  std::vector<Part<BoundedBox<R>>> boxes;
   std::vector<std::array<Vec<R>, 3>> triangles;
   std::vector<TriangleInfo<R>> triangle_info;
   Bvh<R> bvh;

@@ -17,7 +17,7 @@ struct Terms {
 /// h = normalize(l + e), slide 5, of two unit vectors, with the length of l + e; zero for e = -l.
 template <Value V>
 Direction<V> half_vector(const Vec<V>& l, const Vec<V>& e) {
-  return direction_of(l + e);
+  return direction_of<Divide::Once>(l + e);
 }
 
 /// (h.n)^ns of two unit vectors with h.n > 0, as exp(ns log1p(-|n - h|^2 / 2)), which never exceeds

@@ -66,8 +66,8 @@ Sightlines<V> sightlines(const Ball<R>& lamps, const Hit<V>& hit) {
 
 /// The surfaces that may hide a lamp of the light from a point that is asked for.
 template <Real R, Value V>
-Suspects find_suspects(const Plan<R>& plan, const Source<R>& source, const Hit<V>& hit,
-                       const Mask<V>& asked) {
+void find_suspects(const Plan<R>& plan, const Source<R>& source, const Hit<V>& hit,
+                   const Mask<V>& asked, Suspects& suspects) {
   const Sightlines<V> lines = sightlines(source.ball, hit);
   // A point amid the lamps is in no cone.
   const Mask<V> certain = asked & (lines.length > R(2) * lines.radius);
@@ -75,22 +75,20 @@ Suspects find_suspects(const Plan<R>& plan, const Source<R>& source, const Hit<V
   const auto meets = [&](const auto& shape) {
     return any_of(uncertain | (certain & lines.may_meet(shape)));
   };
-  const auto list = [&](const auto& parts, const auto& shape_of) {
-    ShortList found;
-    if (parts.size() > ShortList::kMost) return found;
-    found.all = false;
+  const auto list = [&](const auto& parts, const auto& shape_of, ShortList& found) {
+    found.all = parts.size() > ShortList::kMost, found.count = 0;
+    if (found.all) return;
     for (int i = 0; const auto& part : parts) {
       if (meets(shape_of(part.shape))) found.numbers[std::size_t(found.count++)] = i;
       ++i;
     }
-    return found;
   };
-  const auto ball = [](const SphereSurface<R>& sphere) {
-    return Ball<R>{sphere.center, sphere.radius};
-  };
-  const auto itself = [](const PlaneSurface<R>& plane) { return plane; };
-  return {list(plan.spheres, ball), list(plan.boxes, box_ball<R>), list(plan.planes, itself),
-          !plan.triangles.empty() && meets(plan.mesh_ball)};
+  const auto ball = [](const auto& solid) { return ball_around(solid); };
+  list(plan.spheres, ball, suspects.spheres);
+  list(plan.boxes, ball, suspects.boxes);
+  list(
+      plan.planes, [](const PlaneSurface<R>& plane) { return plane; }, suspects.planes);
+  suspects.triangles = !plan.triangles.empty() && meets(plan.mesh_ball);
 }
 
 }  // namespace litmus

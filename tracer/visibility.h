@@ -60,7 +60,8 @@ V own_exit(const SphereSurface<Scalar<V>>& sphere, const Hit<V>& hit, const Ray<
   using R = Scalar<V>;
   const Mask<V> inside = dot(hit.point - Vec<V>(sphere.center), hit.geometric) < R(0);
   const V twice = select(inside, V(R(2) * sphere.radius), V(R(-2) * sphere.radius));
-  return twice * dot(hit.geometric, ray.direction) / dot(ray.direction, ray.direction);
+  const V inwards = twice * dot(hit.geometric, ray.direction);
+  return none_of(inwards > R(0)) ? inwards : V(inwards / dot(ray.direction, ray.direction));
 }
 
 /// The same for a box; -1 if it leaves at once.
@@ -73,7 +74,8 @@ V own_exit(const BoxSurface<Scalar<V>>& box, const Hit<V>& hit, const Ray<V>& ra
     outward = select(hit.face == Index<V>(2 * axis), V(-along), outward);
     outward = select(hit.face == Index<V>(2 * axis + 1), along, outward);
   }
-  return select(outward >= R(0), V(R(-1)), intersect(box, ray).leave);
+  const Mask<V> leaves = outward >= R(0);
+  return all_of(leaves) ? V(R(-1)) : select(leaves, V(R(-1)), intersect(box, ray).leave);
 }
 
 /// Whether a solid lies in the way of a shadow ray that does not start on it.
@@ -113,6 +115,8 @@ struct Suspects {
   bool triangles = true;
 };
 
+inline const Suspects kEverything{};
+
 /// Calls visit(i, part) -> bool for the suspects among a list's parts, until it returns true.
 template <class Parts, class Visit>
 bool visit_parts(const Parts& parts, const ShortList& list, Visit visit) {
@@ -130,23 +134,21 @@ bool visit_parts(const Parts& parts, const ShortList& list, Visit visit) {
 template <Real R, Value V, class Visit>
 bool visit_blockers(const Plan<R>& plan, const Hit<V>& hit, const ShadowRay<V>& shadow,
                     const Suspects& suspects, Visit visit) {
-  const auto solid_blocks = [&](Kind kind, int index, const auto& shape) -> Mask<V> {
-    const Mask<V> own = on_surface(hit, kind, index);
-    const Mask<V> met = blocks(shape, shadow);
-    if (none_of(own)) return met;
-    const V exit = own_exit(shape, hit, shadow.ray);
-    return (own & (exit > R(0)) & (exit < shadow.ray.limit - shadow.slack)) | (!own & met);
+  const auto visit_solid = [&](int, const auto& part) {
+    const Mask<V> own = hit.object == Index<V>(part.object);
+    const Mask<V> may = !own & may_meet(ball_around(part.shape), shadow.ray);
+    Mask<V> met = false;
+    if (any_of(may)) met = may & blocks(part.shape, shadow);
+    if (any_of(own)) {
+      const V exit = own_exit(part.shape, hit, shadow.ray);
+      met = met | (own & (exit > R(0)) & (exit < shadow.ray.limit - shadow.slack));
+    }
+    return any_of(met) && visit(part.object, met);
   };
-  return visit_parts(plan.spheres, suspects.spheres,
-                     [&](int i, const auto& part) {
-                       return visit(part.object, solid_blocks(Kind::Sphere, i, part.shape));
-                     }) ||
-         visit_parts(plan.boxes, suspects.boxes,
-                     [&](int i, const auto& part) {
-                       return visit(part.object, solid_blocks(Kind::Box, i, part.shape));
-                     }) ||
-         visit_parts(plan.planes, suspects.planes, [&](int i, const auto& part) {
-           const Mask<V> own = on_surface(hit, Kind::Plane, i);
+  return visit_parts(plan.spheres, suspects.spheres, visit_solid) ||
+         visit_parts(plan.boxes, suspects.boxes, visit_solid) ||
+         visit_parts(plan.planes, suspects.planes, [&](int, const auto& part) {
+           const Mask<V> own = hit.object == Index<V>(part.object);
            if (all_of(own)) return false;
            const V slope = dot(Vec<V>(part.shape.normal), shadow.ray.direction);
            const V t = intersect(part.shape, shadow.ray);
@@ -186,7 +188,7 @@ template <Real R>
 int first_blocker(const Plan<R>& plan, const Hit<R>& hit, const Incident<R>& light) {
   const ShadowRay<R> shadow = shadow_ray(hit, light);
   int blocker = -1;
-  const bool found = visit_blockers(plan, hit, shadow, {}, [&](int object, bool blocked) {
+  const bool found = visit_blockers(plan, hit, shadow, kEverything, [&](int object, bool blocked) {
     blocker = object;
     return blocked;
   });
@@ -197,7 +199,7 @@ int first_blocker(const Plan<R>& plan, const Hit<R>& hit, const Incident<R>& lig
 /// the suspects are looked at (suspects.h).
 template <Real R, Value V>
 Mask<V> occluded(const Plan<R>& plan, const Hit<V>& hit, const Incident<V>& light,
-                 const Mask<V>& asked = true, const Suspects& suspects = {}) {
+                 const Mask<V>& asked = true, const Suspects& suspects = kEverything) {
   const ShadowRay<V> shadow = shadow_ray(hit, light);
   Mask<V> blocked = !asked;
   const bool all_blocked =

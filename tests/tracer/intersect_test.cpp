@@ -60,6 +60,78 @@ TEST(BoxIntersection, NamesTheFacesOfTheChord) {
   EXPECT_EQ(chord.leave_face, 4);
 }
 
+// ---- The balls around them -------------------------------------------------------------------
+
+/// Rays towards what is hardest for a cull: points within a few roundings of a solid's outline.
+template <class R>
+class MayMeet : public testing::Test {
+ protected:
+  struct Tally {
+    int met = 0, lost = 0, culled = 0;
+  };
+
+  R random(double low, double high) {
+    return R(std::uniform_real_distribution<double>(low, high)(engine_));
+  }
+  Vec<R> vector(double size) {
+    return {random(-size, size), random(-size, size), random(-size, size)};
+  }
+  /// 1, but for a relative error between 1e-18 and 1e-1 to either side.
+  R nearly_one() {
+    const double apart = std::pow(10.0, double(random(-18, -1)));
+    return R(random(0, 1) < R(0.5) ? 1 + apart : 1 - apart);
+  }
+  template <class Solid>
+  void add(const Solid& solid, const Ray<R>& ray, Tally& tally) {
+    const Chord<R> chord = intersect(solid, ray);
+    const bool meets = chord.enter <= chord.leave && chord.leave > 0;
+    const bool kept = may_meet(ball_around(solid), ray);
+    tally.met += meets, tally.lost += meets && !kept, tally.culled += !kept;
+  }
+
+ private:
+  std::mt19937 engine_{5};
+};
+
+using Scalars = testing::Types<float, double>;
+TYPED_TEST_SUITE(MayMeet, Scalars);
+
+TYPED_TEST(MayMeet, LosesNoSphere) {
+  using R = TypeParam;
+  typename TestFixture::Tally tally;
+  for (int i = 0; i < 100'000; ++i) {
+    const SphereSurface<R> sphere{this->vector(10), R(std::pow(10.0, double(this->random(-3, 1))))};
+    const Vec<R> origin = this->vector(20), towards = normalize(sphere.center - origin);
+    const Vec<R> aside = normalize(cross(towards, this->vector(1)));
+    const Vec<R> target = sphere.center + (sphere.radius * this->nearly_one()) * aside;
+    this->add(sphere, {origin, target - origin}, tally);
+    // From the surface, to the outside and to the inside.
+    const Vec<R> start = sphere.center + (sphere.radius * this->nearly_one()) * towards;
+    this->add(sphere, {start, this->vector(1)}, tally);
+  }
+  EXPECT_EQ(tally.lost, 0);
+  EXPECT_GT(tally.met, 50'000);
+  EXPECT_GT(tally.culled, 4'000);
+}
+
+TYPED_TEST(MayMeet, LosesNoBox) {
+  using R = TypeParam;
+  typename TestFixture::Tally tally;
+  for (int i = 0; i < 100'000; ++i) {
+    const R size = R(std::pow(10.0, double(this->random(-3, 1))));
+    const Vec<R> min = this->vector(10);
+    const Vec<R> max = min + Vec<R>{size * this->random(0.1, 1), size, size};
+    const BoundedBox<R> box{{min, max}, box_ball(min, max)};
+    const Vec<R> corner = box.ball.center + this->nearly_one() * (max - box.ball.center);
+    const Vec<R> origin = this->vector(20);
+    this->add(box, {origin, corner - origin}, tally);
+    this->add(box, {corner, this->vector(1)}, tally);
+  }
+  EXPECT_EQ(tally.lost, 0);
+  EXPECT_GT(tally.met, 20'000);
+  EXPECT_GT(tally.culled, 4'000);
+}
+
 TEST(TriangleIntersection, GivesTheBarycentricWeightsOfThePoint) {
   const std::array<V, 3> triangle{V{0, 0, 2}, V{4, 0, 2}, V{0, 4, 2}};
   const Ray<double> ray{{1, 2, 0}, {0, 0, 1}};
