@@ -142,7 +142,7 @@ Incident<V> aim(const Lamp<Scalar<V>>& lamp, const Vec<V>& point) {
   if (lamp.directional) {
     return {Vec<V>(lamp.toward), V(std::numeric_limits<R>::infinity()), V(R(1)), true};
   }
-  const Direction<V> to_lamp = direction_of<Divide::Once>(Vec<V>(lamp.origin) - point);
+  const Direction<V> to_lamp = direction_of(Vec<V>(lamp.origin) - point);
   return {to_lamp.unit, to_lamp.length, V(R(1)), true};
 }
 

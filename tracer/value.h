@@ -187,7 +187,8 @@ struct Direction {
 
 /// How a vector is divided by its length: each component, so that a vector along an axis stays
 /// there to the last digit, or by one reciprocal, which costs half a unit in the last place and
-/// saves two of the operations that the kernel spends most of its time on.
+/// saves two of the operations that the kernel spends most of its time on. (The angle to a spot's
+/// axis needs that half unit near the cutoff, where the decay is small.)
 enum class Divide { Each, Once };
 
 template <Divide kDivide, Value V>

@@ -7,8 +7,9 @@
 namespace litmus {
 namespace {
 using nlohmann::json;
-using ::testing::ElementsAre;
+using ::testing::Contains;
 using ::testing::IsEmpty;
+using ::testing::StartsWith;
 
 struct ExplainSchema : ProgramTest {
   json explained(const std::string& arguments) const {
@@ -31,13 +32,14 @@ TEST_F(ExplainSchema, WouldNotHoldForAMissingWrongOrUnknownMember) {
   const json good = explained("x5 120 90 --reference none");
   json bad = good;
   bad["lights"][0]["lamps"][0].erase("reason");
-  EXPECT_THAT(errors(bad), ElementsAre(".lights[0].lamps[0].reason: missing"));
+  EXPECT_THAT(errors(bad),
+              Contains("<root>[lights][0][lamps][0]: Missing required property 'reason'."));
   bad = good;
   bad["point"][2] = nullptr;
-  EXPECT_THAT(errors(bad), ElementsAre(".point[2]: not of type number"));
+  EXPECT_THAT(errors(bad), Contains(StartsWith("<root>[point][2]: Value type")));
   bad = good;
   bad["extra"] = 1;
-  EXPECT_THAT(errors(bad), ElementsAre(".extra: not in the schema"));
+  EXPECT_THAT(errors(bad), Contains(StartsWith("<root>: Object contains")));
 }
 
 }  // namespace
