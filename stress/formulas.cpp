@@ -123,15 +123,20 @@ StressRow decay(std::uint64_t samples) {
   });
 }
 
-/// Range, distance and a coefficient anywhere in the scalar's range.
+/// Range, distance and a coefficient anywhere in the scalar's range. One in 8 lies where distance
+/// and coefficient are largest: their product overflows there, and even a short experiment shows
+/// what that does to the usual form.
 template <Real R>
 struct Falloff {
   R range, distance, coefficient;
 
-  explicit Falloff(Draw& draw)
-      : range(R(draw.decades(1 / kFarthest<R>, kFarthest<R>))),
-        distance(R(draw.decades(1 / kFarthest<R>, kFarthest<R>))),
-        coefficient(draw.below(16) == 0 ? R(0) : R(draw.decades(1e-3, 1e3))) {}
+  explicit Falloff(Draw& draw) {
+    const bool at_the_end = draw.below(8) == 0;
+    range = R(draw.decades(1 / kFarthest<R>, kFarthest<R>));
+    distance = R(draw.decades(at_the_end ? kFarthest<R> / 10 : 1 / kFarthest<R>, kFarthest<R>));
+    coefficient = R(draw.decades(at_the_end ? 1e2 : 1e-3, 1e3));
+    if (!at_the_end && draw.below(16) == 0) coefficient = 0;
+  }
   bool in_domain() const { return std::isfinite(distance / range); }
   double x() const { return std::log10(double(distance)) - std::log10(double(range)); }
 };
@@ -182,10 +187,12 @@ struct Highlight {
   Vec<R> h, n;
   Quad truth;
 
-  /// Highlights down to exp(-faintest).
+  /// Highlights down to exp(-faintest), half of them in the outer half, where errors are largest.
   Highlight(Draw& draw, double faintest) : shininess(R(draw.decades(1, 1e6))) {
     const double widest = std::acos(std::exp(-faintest / double(shininess)));
-    const double apart = draw.below(2) ? draw.uniform(0, widest) : draw.decades(1e-9, widest);
+    const double apart = draw.below(2)   ? draw.uniform(widest / 2, widest)
+                         : draw.below(2) ? draw.uniform(0, widest)
+                                         : draw.decades(1e-9, widest);
     const Vec<double> axis = draw.direction(), side = draw.across(axis);
     n = normalize(rounded<R>(axis));
     h = normalize(rounded<R>(std::cos(apart) * axis + std::sin(apart) * side));

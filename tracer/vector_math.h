@@ -173,6 +173,35 @@ V expm1_of(const V& x) {
   }
 }
 
+// ---- Sums of two numbers ---------------------------------------------------------------------
+
+/// A number as the nearest value and what that leaves out.
+template <Value V>
+struct Rounded {
+  V value, rest;
+};
+
+/// a + b without error (Knuth).
+template <Value V>
+Rounded<V> exact_sum(const V& a, const V& b) {
+  const V sum = a + b, more = sum - a;
+  return {sum, (a - (sum - more)) + (b - more)};
+}
+
+/// The dot product as if in twice the digits (Ogita, Rump and Oishi 2005).
+template <Value V>
+Rounded<V> compensated_dot(const Vec<V>& a, const Vec<V>& b) {
+  if constexpr (std::is_same_v<V, Quad>) {
+    return {dot(a, b), V(0)};
+  } else {
+    using std::fma;
+    const V x = a.x * b.x, y = a.y * b.y, z = a.z * b.z;
+    const Rounded<V> two = exact_sum(x, y), three = exact_sum(two.value, z);
+    const V rest = (fma(a.x, b.x, -x) + fma(a.y, b.y, -y)) + (fma(a.z, b.z, -z) + two.rest);
+    return exact_sum(three.value, V(rest + three.rest));
+  }
+}
+
 // ---- Logarithms ------------------------------------------------------------------------------
 
 /// x = 2^exponent * m with m from sqrt(1/2) to sqrt(2), for a normal x.
@@ -239,6 +268,18 @@ V log1p_of(const V& x) {
     const V correction = all_of(near) ? V(R(0)) : select(near, V(R(0)), V((x - (u - R(1))) / u));
     const V result = sum_logarithm(split.exponent, f, correction);
     return select(u == R(0), V(-std::numeric_limits<R>::infinity()), result);
+  }
+}
+
+/// log(x + low), low at most a unit in the last place of x > 0, to 1 ulp.
+template <Value V>
+V log_of_sum(const V& x, const V& low) {
+  if constexpr (!kOwnMath<Scalar<V>>) {
+    using std::log;
+    return log(x) + low / x;
+  } else {
+    const SplitNumber<V> split = split_number(x);
+    return sum_logarithm(split.exponent, V(split.m - Scalar<V>(1)), V(low / x));
   }
 }
 

@@ -47,6 +47,26 @@ TEST(SpecularPower, KeepsItsDigitsForALargeShininess) {
   EXPECT_NEAR(specular_power(l, e, n, shininess), exact, 1e-6);
 }
 
+TEST(SpecularPower, KeepsItsDigitsFarFromABroadPeak) {
+  double largest = 0, largest_by_difference = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const double turn = 0.001 * i;  // so that no component is 0
+    const V n{std::sin(turn), 0, std::cos(turn)};
+    const V h{-std::sin(1.42 - turn), 0, std::cos(1.42 - turn)};
+    const V apart = n - h;
+    const auto exact = [](const V& v) { return Vec<Quad>{Quad(v.x), Quad(v.y), Quad(v.z)}; };
+    const Quad cosine =
+        dot(exact(h), exact(n)) / sqrt(dot(exact(h), exact(h)) * dot(exact(n), exact(n)));
+    const double by_difference = std::exp(std::log1p(-dot(apart, apart) / 2));
+    largest = std::max(largest, double(fabs(Quad(power_of_cosine(h, n, 1.0)) / cosine - 1)));
+    largest_by_difference =
+        std::max(largest_by_difference, double(fabs(Quad(by_difference) / cosine - 1)));
+  }
+  const double unit = std::numeric_limits<double>::epsilon();
+  EXPECT_LE(largest, 3 * unit);
+  EXPECT_GT(largest_by_difference, 5 * unit);  // the control: 1 - |n - h|^2 / 2 everywhere
+}
+
 TEST(EquationTerms, AreNothingForALightBehindTheSurface) {
   const auto terms = equation_terms(tilted(1.6), tilted(-1.0), kUp, 10.0, 1.0, true);
   EXPECT_EQ(terms.diffuse, 0.0);

@@ -87,6 +87,38 @@ TYPED_TEST(VectorMath, LogarithmOfOneMoreIsRightToOneUlp) {
   EXPECT_EQ(log1p_of(R(-1)), -std::numeric_limits<R>::infinity());
 }
 
+/// What a sum of two numbers adds to x: less than half a unit in its last place.
+template <class V>
+V low_part(const V& x) {
+  return x * (kUnit<Scalar<V>> * Scalar<V>(0.7));
+}
+
+TYPED_TEST(VectorMath, LogarithmOfASumIsRightToOneUlp) {
+  using R = TypeParam;
+  const auto ours = [](R x) { return log_of_sum(x, low_part(x)); };
+  const auto exact = [](const Quad& x) { return log(x + Quad(low_part(R(x)))); };
+  EXPECT_LE(largest_error<R>([](double u) { return 1 - u; }, ours, exact), 1);
+  EXPECT_LE(largest_error<R>([](double u) { return std::exp2(-60 * u); }, ours, exact), 1);
+  EXPECT_EQ(log_of_sum(R(1), R(-1e-20)), R(-1e-20));
+}
+
+TYPED_TEST(VectorMath, CompensatedDotProductKeepsItsDigitsWhereThePlainOneLosesThem) {
+  using R = TypeParam;
+  double largest = 0, plain = 0;
+  std::mt19937_64 random(10);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  for (int i = 0; i < kSamples; ++i) {
+    const Vec<R> a{R(uniform(random)), R(uniform(random)), R(uniform(random))};
+    Vec<R> b{R(uniform(random)), R(uniform(random)), R(0)};
+    b.z = R((uniform(random) / 1000 - a.x * b.x - a.y * b.y) / a.z);
+    const Quad exact = Quad(a.x) * Quad(b.x) + Quad(a.y) * Quad(b.y) + Quad(a.z) * Quad(b.z);
+    largest = std::max(largest, error_in_ulp<R>(compensated_dot(a, b).value, exact));
+    plain = std::max(plain, error_in_ulp<R>(dot(a, b), exact));
+  }
+  EXPECT_LE(largest, 1);
+  EXPECT_GT(plain, 100);
+}
+
 TYPED_TEST(VectorMath, ArcTangentIsRightInBothQuadrants) {
   using R = TypeParam;
   const double pi = std::numbers::pi;
@@ -136,6 +168,12 @@ TYPED_TEST(VectorMath, OfAPacketHasTheBitsOfTheScalars) {
   expect_same_bits<R>([](double u) { return std::exp2(300 * u - 150); },
                       [](auto x) { return log_of(x); });
   expect_same_bits<R>([](double u) { return -u; }, [](auto x) { return log1p_of(x); });
+  expect_same_bits<R>([](double u) { return 1 - u; },
+                      [](auto x) { return log_of_sum(x, low_part(x)); });
+  expect_same_bits<R>([](double u) { return 8 * u - 4; },
+                      [](auto x) {
+                        return compensated_dot<decltype(x)>({x, x, x}, {x, -x, x}).rest;
+                      });
   expect_same_bits<R>([](double u) { return 8 * u - 4; },
                       [](auto x) { return atan2_of(decltype(x)(x * x), x); });
 }
