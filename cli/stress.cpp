@@ -21,7 +21,7 @@ struct StressArguments {
   std::string command;
 };
 
-std::string number(double value) {
+std::string figure(double value) {
   return std::isfinite(value) ? fmt::format("{:.3g}", value) : "NaN, inf";
 }
 
@@ -30,7 +30,7 @@ void print_table(const StressReport& report) {
              "seen", "control", "");
   for (const StressRow& row : report.rows) {
     fmt::print("{:<26} {:<27} {:>10} {:>8} {:>9} {:>10}  {}\n", row.id, row.metric, row.samples,
-               row.judged ? number(row.bound) : "", number(row.seen), number(row.control_seen),
+               row.judged ? figure(row.bound) : "", figure(row.seen), figure(row.control_seen),
                !row.judged  ? ""
                : holds(row) ? "ok"
                             : "FAIL");
@@ -44,9 +44,12 @@ void print_envelopes(const StressReport& report) {
     const std::string head = fmt::format("{}, by {}", point.renderer, point.axis);
     if (head != line) fmt::print("{}{}, pixels changed:", line.empty() ? "" : "\n", head);
     line = head;
-    fmt::print("  {:g}: {:.2g} %", point.value, point.differing);
+    fmt::print("  {:g}: {}", point.value,
+               point.failure.empty() ? fmt::format("{:.2g} %", point.differing) : "no picture");
   }
   if (!line.empty()) fmt::print("\n");
+  for (const std::string& failure : envelope_failures(report.envelopes))
+    fmt::print("no picture: {}\n", failure);
 }
 
 /// Says of each failure whether litmus or the control is to blame.

@@ -145,9 +145,12 @@ void apply(const Envelope& envelope, Light& light) {
 
 }  // namespace
 
+bool stays_unmoved(const Scene& scene) {
+  return std::find(scene.tags.begin(), scene.tags.end(), "unmoved") != scene.tags.end();
+}
+
 Envelope envelope_of(const Scene& scene) {
-  // A scene with this tag shows where a renderer's own limits are (scene/README.md).
-  if (std::find(scene.tags.begin(), scene.tags.end(), "unmoved") != scene.tags.end()) return {};
+  if (stays_unmoved(scene)) return {};
   const Extent extent = extent_of(scene);
   const double radius = extent.radius();
   if (extent.empty() || !(radius > 0) || !std::isfinite(radius)) return {};

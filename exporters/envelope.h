@@ -15,6 +15,10 @@ struct Envelope {
   bool identity() const { return scale == 1 && centre == Point(0); }
 };
 
+/// Whether the scene has the tag "unmoved" (scene/README.md): it shows where a renderer's own
+/// limits are, so that it is exported where it stands and in its own unit.
+bool stays_unmoved(const Scene& scene);
+
 /// What into_envelope() does to a scene. Its extent is the box around the bounded objects and the
 /// points where the camera's middle and corner rays meet planes, grown by the eye and the
 /// positional lights as far as they lie within 16 radii (a farther one needs no precision of its

@@ -21,6 +21,7 @@ namespace litmus {
 namespace povray {
 
 double unit_of(const Scene& scene) {
+  if (stays_unmoved(scene)) return 1;
   const double radius = extent_radius(scene);
   return radius > 0 ? std::ldexp(1.0, 8 - std::ilogb(radius)) : 32;
 }

@@ -2,6 +2,7 @@
 // showing the same picture.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -19,8 +20,12 @@ struct EnvelopePoint {
 };
 
 /// Scales 1e-6 to 1e6 and offsets 1e2 to 1e8, a decade each. The exporters do not move the scene
-/// into the renderers' envelopes here (tag "unmoved", envelope.h). Renderers that are not installed
-/// are left out; `progress` of the options names them.
-std::vector<EnvelopePoint> run_envelope_study(const ReferenceOptions& options);
+/// into the renderers' envelopes here (tag "unmoved", envelope.h). A renderer that is not installed
+/// has points that say so. `progress` of the options names each renderer as it starts.
+std::vector<EnvelopePoint> run_envelope_study(const ReferenceOptions& options,
+                                              std::span<const Driver> drivers = drivers());
+
+/// For people, a line per renderer and reason: "POV-Ray, scale 1e-06: it refused the scene".
+std::vector<std::string> envelope_failures(const std::vector<EnvelopePoint>& points);
 
 }  // namespace litmus

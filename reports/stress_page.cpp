@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string_view>
 
@@ -18,9 +19,11 @@ constexpr std::string_view kStyle =
     "<style>.plots{display:grid;grid-template-columns:repeat(auto-fill,minmax(270px,1fr));"
     "gap:1rem;margin-top:1rem}.plots figcaption{font-size:.85rem}.plots figcaption "
     "small{color:var(--dim)}.plot .naive{stroke:var(--fail);stroke-dasharray:5 2}"
-    ".plot .ours{stroke-width:2}.numbers td.long{text-align:left;white-space:normal;"
-    "min-width:11rem}.numbers th.long{text-align:left;white-space:normal;min-width:13rem}"
-    "</style>";
+    ".plot .ours{stroke-width:2}.plot .allowed{stroke:var(--ink);stroke-dasharray:1 3}"
+    ".numbers .long{text-align:left;white-space:normal;min-width:11rem}"
+    ".numbers thead th.right{text-align:right}"
+    ".numbers tbody tr:nth-child(even)>*{border-bottom:1px solid var(--line)}"
+    "@media(max-width:40rem){.numbers th.long{min-width:8.5rem}}</style>";
 
 struct Group {
   std::string_view name, title, lead;
@@ -40,26 +43,40 @@ constexpr Group kGroups[] = {
 
 std::string number(double value) { return std::isfinite(value) ? short_number(value) : "NaN, inf"; }
 
+/// A group's rows, those of one case beside each other: float, then double.
+std::vector<const StressRow*> rows_of(const std::vector<StressRow>& rows, std::string_view group) {
+  std::vector<const StressRow*> result;
+  for (const StressRow& row : rows) {
+    if (row.group != group) continue;
+    const auto same = std::find_if(result.rbegin(), result.rend(),
+                                   [&](const StressRow* other) { return other->what == row.what; });
+    result.insert(same == result.rend() ? result.end() : same.base(), &row);
+  }
+  return result;
+}
+
+/// The figures first: on a narrow screen the words are out of sight.
 std::string row_html(const StressRow& row) {
   const bool kept = row.seen <= row.bound;
   const char* verdict = !row.judged ? "" : holds(row) ? "✓" : "✗";
   return fmt::format(
-      "<tr class=\"{}\"><th class=\"long\">{}</th><td class=\"word\">{}</td><td class=\"long\">{}"
-      "</td><td>{}</td><td class=\"word\">{}</td><td>{}</td><td{}>{}</td><td "
-      "class=\"long\">{}</td><td>{}</td><td class=\"verdict\">{}</td></tr>\n",
-      holds(row) ? "pass" : "fail", html_text(row.what), row.scalar, html_text(row.domain),
-      with_commas((long long)(row.samples)), html_text(row.metric),
-      row.judged ? number(row.bound) : "", kept || !row.judged ? "" : " class=\"bad\"",
-      number(row.seen), html_text(row.control), number(row.control_seen), verdict);
+      "<tr class=\"{}\"><th class=\"long\">{}</th><td class=\"word\">{}</td><td{}>{}</td>"
+      "<td>{}</td><td>{}</td><td class=\"verdict\">{}</td><td class=\"word\">{}</td><td>{}</td>"
+      "<td class=\"long\">{}</td><td class=\"long\">{}</td></tr>\n",
+      holds(row) ? "pass" : "fail", html_text(row.what), row.scalar,
+      kept || !row.judged ? "" : " class=\"bad\"", number(row.seen),
+      row.judged ? number(row.bound) : "not judged", number(row.control_seen), verdict,
+      html_text(row.metric), with_commas((long long)(row.samples)), html_text(row.domain),
+      html_text(row.control));
 }
 
-std::string plots_html(const std::vector<StressRow>& rows, std::string_view group) {
+std::string plots_html(const std::vector<const StressRow*>& rows) {
   std::string figures;
-  for (const StressRow& row : rows) {
-    if (row.group != group || !row.curve) continue;
+  for (const StressRow* row : rows) {
+    if (!row->curve) continue;
     figures += fmt::format(
         "<figure>{}<figcaption>{}, {} <small>({})</small></figcaption></figure>\n",
-        stress_plot(row), html_text(row.what), row.scalar, html_text(row.curve->y_label));
+        stress_plot(*row), html_text(row->what), row->scalar, html_text(row->curve->y_label));
   }
   if (figures.empty()) return "";
   return fmt::format(
@@ -68,17 +85,18 @@ std::string plots_html(const std::vector<StressRow>& rows, std::string_view grou
       figures);
 }
 
-std::string group_html(const std::vector<StressRow>& rows, const Group& group) {
+std::string group_html(const std::vector<StressRow>& all, const Group& group) {
+  const std::vector<const StressRow*> rows = rows_of(all, group.name);
   std::string lines;
-  for (const StressRow& row : rows)
-    if (row.group == group.name) lines += row_html(row);
+  for (const StressRow* row : rows) lines += row_html(*row);
   if (lines.empty()) return "";
   return fmt::format(
       "<section><h2>{}</h2><p class=\"legend\">{}</p><div class=\"scroll\"><table "
-      "class=\"numbers\"><thead><tr><th>Case</th><th>Scalar</th><th>Domain</th><th>Samples</th>"
-      "<th>Counted</th><th>Bound</th><th>Seen</th><th>Control</th><th>Control "
-      "sees</th><th></th></tr></thead><tbody>\n{}</tbody></table></div>\n{}</section>\n",
-      group.title, group.lead, lines, plots_html(rows, group.name));
+      "class=\"numbers\"><thead><tr><th>Case</th><th>Scalar</th><th class=\"right\">Seen</th>"
+      "<th>Bound</th><th>Control sees</th><th></th><th class=\"word\">Counted</th>"
+      "<th>Samples</th><th class=\"long\">Domain</th><th class=\"long\">Control</th></tr>"
+      "</thead><tbody>\n{}</tbody></table></div>\n{}</section>\n",
+      group.title, group.lead, lines, plots_html(rows));
 }
 
 std::string percent(const EnvelopePoint& point) {
@@ -108,13 +126,22 @@ std::string envelope_table(const std::vector<EnvelopePoint>& points, std::string
       axis == "scale" ? "All lengths times" : "Moved by", head, lines);
 }
 
+/// Why cells say "none".
+std::string failures_html(const std::vector<EnvelopePoint>& points) {
+  std::string items;
+  for (const std::string& failure : envelope_failures(points))
+    items += "<li>" + html_text(failure) + "</li>";
+  return items.empty() ? "" : "<p class=\"legend\">No picture:</p><ul>" + items + "</ul>\n";
+}
+
 std::string envelopes_html(const std::vector<EnvelopePoint>& points) {
   if (points.empty()) return "";
   return "<section><h2>Where each renderer leaves its envelope</h2><p class=\"legend\">One small "
          "scene, scaled and moved, exported as it stands. Each cell: the pixels that are off by "
          "more than 1/255 from the same renderer's picture at scale 1 and the origin. In a "
          "comparison the exporters move every scene to where both renderers are accurate.</p>" +
-         envelope_table(points, "scale") + envelope_table(points, "offset") + "</section>\n";
+         envelope_table(points, "scale") + envelope_table(points, "offset") +
+         failures_html(points) + "</section>\n";
 }
 
 std::string lead_of(const StressReport& report) {

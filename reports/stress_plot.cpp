@@ -11,7 +11,7 @@
 namespace litmus {
 namespace {
 
-constexpr double kWidth = 320, kHeight = 150, kLeft = 46, kRight = 8, kTop = 16, kBottom = 30;
+constexpr double kWidth = 320, kHeight = 156, kLeft = 46, kRight = 8, kTop = 22, kBottom = 30;
 
 /// Where values stand in the plot.
 struct Scale {
@@ -24,7 +24,7 @@ struct Scale {
   }
   /// What is not finite stands above the plot.
   double y(double value) const {
-    if (!std::isfinite(value)) return kTop - 7;
+    if (!std::isfinite(value)) return kTop - 12;
     const double v = logarithmic ? std::log10(std::max(value, 1e-300)) : value;
     const double share = std::clamp((v - low) / (high - low), 0.0, 1.0);
     return kHeight - kBottom - share * (kHeight - kBottom - kTop);
@@ -66,6 +66,14 @@ std::string text(double x, double y, const char* anchor, const std::string& word
                      html_text(words));
 }
 
+/// 1, 2 or 5 times a power of ten: the smallest that is not below `least`.
+double round_step(double least) {
+  const double decade = std::pow(10, std::floor(std::log10(least)));
+  for (const double part : {1, 2, 5})
+    if (part * decade >= least) return part * decade;
+  return 10 * decade;
+}
+
 std::string grid(const Scale& scale) {
   std::string lines;
   const auto level = [&](double value, const std::string& label) {
@@ -84,13 +92,9 @@ std::string grid(const Scale& scale) {
     for (const double part : {0.0, 0.5, 1.0})
       level(part * scale.high, fmt::format("{:.3g}", part * scale.high));
   }
-  const double step = (scale.x_high - scale.x_low) / 4;
-  for (int i = 0; i <= 4; ++i)
-    lines += text(scale.x(scale.x_low + i * step), kHeight - kBottom + 12,
-                  i == 0   ? "start"
-                  : i == 4 ? "end"
-                           : "middle",
-                  fmt::format("{:.3g}", scale.x_low + i * step));
+  const double step = round_step((scale.x_high - scale.x_low) / 4);
+  for (double at = std::ceil(scale.x_low / step) * step; at <= scale.x_high; at += step)
+    lines += text(scale.x(at), kHeight - kBottom + 12, "middle", fmt::format("{:.3g}", at + 0.0));
   return lines;
 }
 
@@ -104,7 +108,7 @@ std::string stress_plot(const StressRow& row) {
       "<svg class=\"plot\" viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\">", kWidth, kHeight,
       html_text(fmt::format("{} of {} over {}", row.curve->y_label, row.what, row.curve->x_label)));
   svg += grid(scale);
-  if (broken) svg += text(kLeft - 4, kTop - 4, "end", "NaN, inf");
+  if (broken) svg += text(kLeft - 4, kTop - 9, "end", "NaN, inf");
   svg += fmt::format("<line class=\"allowed\" x1=\"{}\" x2=\"{}\" y1=\"{:.1f}\" y2=\"{:.1f}\"/>",
                      kLeft, kWidth - kRight, scale.y(row.bound), scale.y(row.bound));
   svg += path(scale, row.curve->naive, "naive") + path(scale, row.curve->robust, "ours");
