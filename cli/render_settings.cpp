@@ -16,31 +16,29 @@ namespace {
 constexpr Precision kPrecisions[] = {Precision::Float, Precision::Double, Precision::LongDouble,
                                      Precision::Quad};
 
+template <class Values, class NameOf>
+std::vector<std::string> names_of(const Values& values, NameOf name_of) {
+  std::vector<std::string> names;
+  for (const auto& value : values) names.emplace_back(name_of(value));
+  return names;
+}
+
+/// The command line has refused other names already.
+template <class Values, class NameOf>
+auto value_of(const std::string& name, const Values& values, NameOf name_of) {
+  const auto found = std::ranges::find(values, name, name_of);
+  return found != std::end(values) ? *found : throw Refusal("no setting \"" + name + "\"");
+}
+
 }  // namespace
 
-std::vector<std::string> precision_names() {
-  std::vector<std::string> names;
-  for (const Precision precision : kPrecisions) names.emplace_back(precision_name(precision));
-  return names;
-}
-
+std::vector<std::string> precision_names() { return names_of(kPrecisions, precision_name); }
 Precision precision_of(const std::string& name) {
-  for (const Precision precision : kPrecisions)
-    if (precision_name(precision) == name) return precision;
-  return Precision::Double;
+  return value_of(name, kPrecisions, precision_name);
 }
 
-std::vector<std::string> sampler_names() {
-  std::vector<std::string> names;
-  for (const Sampler sampler : kSamplers) names.emplace_back(sampler_name(sampler));
-  return names;
-}
-
-Sampler sampler_of(const std::string& name) {
-  for (const Sampler sampler : kSamplers)
-    if (sampler_name(sampler) == name) return sampler;
-  return Sampler::Scene;
-}
+std::vector<std::string> sampler_names() { return names_of(kSamplers, sampler_name); }
+Sampler sampler_of(const std::string& name) { return value_of(name, kSamplers, sampler_name); }
 
 std::vector<std::string> kernel_names() {
   std::vector<std::string> names{"auto", "scalar", "packet"};

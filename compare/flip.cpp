@@ -140,7 +140,7 @@ Channel magnitude(const Channel& a, const Channel& b) {
   return result;
 }
 
-/// First and second derivatives of a Gaussian over the luminance ([L], section 4.2).
+/// First and second derivatives of a Gaussian over the xyz_luminance ([L], section 4.2).
 Features features(const Channels& opponents, double pixels_per_degree) {
   const double sigma = 0.5 * kFeatureWidth * pixels_per_degree;
   const int radius = int(std::ceil(3 * sigma));
@@ -150,10 +150,12 @@ Features features(const Channels& opponents, double pixels_per_degree) {
     second[std::size_t(i + radius)] *= i * i / (sigma * sigma) - 1;
   }
   smooth = normalised(smooth), first = balanced(first), second = balanced(second);
-  Channel luminance = opponents[0];
-  for (double& value : luminance.values) value = (value + 16) / 116;
-  return {magnitude(correlate(luminance, first, smooth), correlate(luminance, smooth, first)),
-          magnitude(correlate(luminance, second, smooth), correlate(luminance, smooth, second))};
+  Channel xyz_luminance = opponents[0];
+  for (double& value : xyz_luminance.values) value = (value + 16) / 116;
+  return {
+      magnitude(correlate(xyz_luminance, first, smooth), correlate(xyz_luminance, smooth, first)),
+      magnitude(correlate(xyz_luminance, second, smooth),
+                correlate(xyz_luminance, smooth, second))};
 }
 
 // ---- Together ----------------------------------------------------------------------------------
@@ -210,7 +212,7 @@ double mean(const std::vector<double>& values) {
              : std::accumulate(values.begin(), values.end(), 0.0) / double(values.size());
 }
 
-double luminance(const dvec3& rgb) { return (kXyzOfRgb * rgb).y; }
+double xyz_luminance(const dvec3& rgb) { return (kXyzOfRgb * rgb).y; }
 
 // The ACES fit of [H], (k0 x^2 + k1 x) / (k3 x^2 + k4 x + k5), with its pre-exposure of 0.6.
 constexpr double k0 = 0.6 * 0.6 * 2.51, k1 = 0.6 * 0.03;
@@ -246,7 +248,7 @@ Exposures exposures_for(const Picture& theirs) {
   std::vector<double> all, lit;
   for (const dvec3& pixel : theirs.pixels) {
     if (!is_finite(pixel)) continue;
-    all.push_back(luminance(glm::max(pixel, 0.0)));
+    all.push_back(xyz_luminance(glm::max(pixel, 0.0)));
     if (all.back() > 0 && std::isfinite(all.back())) lit.push_back(all.back());
   }
   if (lit.empty()) return {};

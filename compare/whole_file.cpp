@@ -17,7 +17,7 @@ namespace litmus {
 namespace fs = std::filesystem;
 namespace {
 
-[[noreturn]] void refuse(const fs::path& file, const std::string& what) {
+[[noreturn]] void refuse_writing(const fs::path& file, const std::string& what) {
   throw Refusal(
       fmt::format("{}: cannot be written: {}; check the folder, its permissions and the "
                   "free space",
@@ -33,11 +33,11 @@ fs::path temporary_name(const fs::path& file) {
 
 void flush_to_disk(const fs::path& temporary, const fs::path& file) {
   const int descriptor = ::open(temporary.c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor < 0) refuse(file, std::strerror(errno));
+  if (descriptor < 0) refuse_writing(file, std::strerror(errno));
   const int result = ::fsync(descriptor);
   const int error = errno;
   ::close(descriptor);
-  if (result != 0) refuse(file, std::strerror(error));
+  if (result != 0) refuse_writing(file, std::strerror(error));
 }
 
 }  // namespace
@@ -49,7 +49,7 @@ void write_whole(const fs::path& file, const std::function<void(const fs::path&)
     flush_to_disk(temporary, file);
     std::error_code error;
     fs::rename(temporary, file, error);
-    if (error) refuse(file, error.message());
+    if (error) refuse_writing(file, error.message());
   } catch (...) {
     std::error_code ignored;
     fs::remove(temporary, ignored);
@@ -62,7 +62,7 @@ void write_whole(const fs::path& file, std::string_view text) {
     std::ofstream stream(temporary, std::ios::binary);
     stream.write(text.data(), std::streamsize(text.size()));
     stream.close();
-    if (!stream) refuse(file, std::strerror(errno));
+    if (!stream) refuse_writing(file, std::strerror(errno));
   });
 }
 

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "exporters/seen_points.h"
 #include "scene/overload.h"
 #include "scene/refusal.h"
 
@@ -43,40 +44,24 @@ void add_bounded(Extent& extent, const Object& object) {
       object.shape);
 }
 
-struct Ray {
-  Point origin;
-  Vector direction;
-};
-
 // The rays through the middle and the corners of the picture.
-std::vector<Ray> outline_rays(const Scene& scene) {
-  const Camera& c = scene.camera;
-  const Vector forward = glm::normalize(c.target - c.eye);
-  const Vector right = glm::normalize(glm::cross(forward, c.up));
-  const Vector up = glm::cross(right, forward);
-  const bool flat = c.projection == Projection::Orthographic;
-  const double half = flat ? c.height / 2 : std::tan(c.fov / 2);
-  const double aspect = double(scene.width) / scene.height;
-  std::vector<Ray> rays{{c.eye, forward}};
-  for (const double x : {-1.0, 1.0}) {
-    for (const double y : {-1.0, 1.0}) {
-      const Vector offset = right * (x * half * aspect) + up * (y * half);
-      rays.push_back(flat ? Ray{c.eye + offset, forward} : Ray{c.eye, forward + offset});
-    }
-  }
+std::vector<SightRay> outline_rays(const Scene& scene) {
+  std::vector<SightRay> rays{sight_ray(scene, 0, 0)};
+  for (const double x : {-1.0, 1.0})
+    for (const double y : {-1.0, 1.0}) rays.push_back(sight_ray(scene, x, y));
   return rays;
 }
 
 // Where the outline of the picture meets planes. A hit near the horizon says nothing about the size
 // of the scene, so only hits within twice the nearest distance of each plane count.
 void add_planes(Extent& extent, const Scene& scene) {
-  const std::vector<Ray> rays = outline_rays(scene);
+  const std::vector<SightRay> rays = outline_rays(scene);
   for (const Object& object : scene.objects) {
     const Plane* plane = std::get_if<Plane>(&object.shape);
     if (!plane) continue;
     std::vector<std::pair<double, Point>> hits;
     double nearest = std::numeric_limits<double>::infinity();
-    for (const Ray& ray : rays) {
+    for (const SightRay& ray : rays) {
       const double t = glm::dot(plane->point - ray.origin, plane->normal) /
                        glm::dot(ray.direction, plane->normal);
       if (!(t > 0) || !std::isfinite(t)) continue;

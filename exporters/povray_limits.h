@@ -7,8 +7,8 @@ namespace litmus::povray {
 
 /// How large the file's unit is: the scene's radius becomes 256..512. POV-Ray ignores occluders
 /// within 1e-3 of a surface, which shows at the terminator of meshes where the scene is 10 across,
-/// and no more from 100 on. The scene's numbers stay the author's. 1 for a
-/// scene that stays unmoved.
+/// and no more from 100 on. The scene's numbers stay the author's. 1 for
+/// a scene that stays unmoved.
 double unit_of(const Scene& scene);
 
 /// The radius of a filter round a lamp, both in POV-Ray's units. It must exceed POV-Ray's shadow

@@ -7,8 +7,8 @@
 #include <ostream>
 #include <set>
 
-#include "scene/overload.h"
 #include "exporters/text.h"
+#include "scene/overload.h"
 #include "scene/refusal.h"
 
 namespace litmus::povray {
@@ -96,13 +96,6 @@ Names names_of(const Scene& scene) {
   for (const Light& light : scene.lights)
     names.lights.push_back(identifier("Light", light.name, taken));
   return names;
-}
-
-Attenuation attenuation_of(const Light& light) {
-  if (auto* point = std::get_if<PointLight>(&light.shape)) return point->attenuation;
-  if (auto* spot = std::get_if<SpotLight>(&light.shape)) return spot->point.attenuation;
-  if (auto* area = std::get_if<AreaLight>(&light.shape)) return area->point.attenuation;
-  return {};
 }
 
 void write_camera(const Scene& scene, std::ostream& out) {

@@ -19,9 +19,6 @@ struct Names {
 };
 Names names_of(const Scene& scene);
 
-/// The attenuation of a light, or none for a directional one.
-Attenuation attenuation_of(const Light& light);
-
 /// Throws Refusal for `shading = "sample-code"`.
 void refuse_sample_code(const Scene& scene);
 

@@ -13,15 +13,10 @@ namespace {
 constexpr int kAcross = 24, kDown = 18;
 constexpr double kNone = std::numeric_limits<double>::infinity();
 
-struct Ray {
-  Point origin;
-  Vector direction;
-};
-
 /// The smaller of two distances that lies in front of the eye.
 double first_of(double near, double far) { return near > 0 ? near : far > 0 ? far : kNone; }
 
-double meet(const Ray& ray, const Sphere& sphere) {
+double meet(const SightRay& ray, const Sphere& sphere) {
   const Vector out = ray.origin - sphere.center;
   const double a = glm::dot(ray.direction, ray.direction), b = glm::dot(out, ray.direction);
   const double root = b * b - a * (glm::dot(out, out) - sphere.radius * sphere.radius);
@@ -29,13 +24,13 @@ double meet(const Ray& ray, const Sphere& sphere) {
   return first_of((-b - std::sqrt(root)) / a, (-b + std::sqrt(root)) / a);
 }
 
-double meet(const Ray& ray, const Plane& plane) {
+double meet(const SightRay& ray, const Plane& plane) {
   const double t =
       glm::dot(plane.point - ray.origin, plane.normal) / glm::dot(ray.direction, plane.normal);
   return t > 0 ? t : kNone;  // also where the ray runs along the plane
 }
 
-double meet(const Ray& ray, const Box& box) {
+double meet(const SightRay& ray, const Box& box) {
   double near = -kNone, far = kNone;
   for (int axis = 0; axis < 3; ++axis) {
     const double a = (box.min[axis] - ray.origin[axis]) / ray.direction[axis];
@@ -47,7 +42,7 @@ double meet(const Ray& ray, const Box& box) {
 }
 
 /// Moeller and Trumbore, "Fast, minimum storage ray-triangle intersection", 1997.
-double meet(const Ray& ray, const Triangle& triangle) {
+double meet(const SightRay& ray, const Triangle& triangle) {
   const Vector u = triangle.b - triangle.a, v = triangle.c - triangle.a;
   const Vector across = glm::cross(ray.direction, v), out = ray.origin - triangle.a;
   const double determinant = glm::dot(u, across);
@@ -57,7 +52,7 @@ double meet(const Ray& ray, const Triangle& triangle) {
   return x >= 0 && y >= 0 && x + y <= 1 && t > 0 ? t : kNone;
 }
 
-double meet(const Ray& ray, const Mesh& mesh) {
+double meet(const SightRay& ray, const Mesh& mesh) {
   double nearest = kNone;
   for (const auto& [a, b, c] : mesh.triangles) {
     const Triangle triangle{mesh.vertices[std::size_t(a)], mesh.vertices[std::size_t(b)],
@@ -69,19 +64,23 @@ double meet(const Ray& ray, const Mesh& mesh) {
 
 }  // namespace
 
-std::vector<Point> seen_points(const Scene& scene) {
-  const Camera& camera = scene.camera;
-  const bool flat = camera.projection == Projection::Orthographic;
-  const Vector forward = glm::normalize(camera.target - camera.eye);
-  const Vector right = glm::normalize(glm::cross(forward, camera.up));
+SightRay sight_ray(const Scene& scene, double x, double y) {
+  const Camera& c = scene.camera;
+  const bool flat = c.projection == Projection::Orthographic;
+  const Vector forward = glm::normalize(c.target - c.eye);
+  const Vector right = glm::normalize(glm::cross(forward, c.up));
   const Vector up = glm::cross(right, forward);
-  const double half = flat ? camera.height / 2 : std::tan(camera.fov / 2);
+  const double half = flat ? c.height / 2 : std::tan(c.fov / 2);
+  const double aspect = double(scene.width) / scene.height;
+  const Vector offset = right * (x * half * aspect) + up * (y * half);
+  return flat ? SightRay{c.eye + offset, forward} : SightRay{c.eye, forward + offset};
+}
+
+std::vector<Point> seen_points(const Scene& scene) {
   std::vector<Point> points;
   for (int k = 0; k < kAcross * kDown; ++k) {
-    const double x = (2 * (k % kAcross) + 1.0) / kAcross - 1;
-    const double y = (2 * (k / kAcross) + 1.0) / kDown - 1;
-    const Vector across = half * (x * scene.width / scene.height * right + y * up);
-    const Ray ray = flat ? Ray{camera.eye + across, forward} : Ray{camera.eye, forward + across};
+    const SightRay ray = sight_ray(scene, (2 * (k % kAcross) + 1.0) / kAcross - 1,
+                                   (2 * (k / kAcross) + 1.0) / kDown - 1);
     double nearest = kNone;
     for (const Object& object : scene.objects) {
       if (!object.camera_visible) continue;

@@ -152,8 +152,8 @@ ProcessResult run_batch(Batch& batch, int attempt) {
   return result;
 }
 
-void render(const Installation& blender, std::span<const Scene> scenes,
-            const ReferenceOptions& options, const ResultSink& sink) {
+void render_blender(const Installation& blender, std::span<const Scene> scenes,
+                    const ReferenceOptions& options, const ResultSink& sink) {
   Batch batch{blender, scenes, options, sink, {}, {}, {}, {}, 0};
   for (std::size_t i = 0; i < scenes.size(); ++i) batch.waiting.push_back(i);
   fs::create_directories(options.work);
@@ -229,7 +229,7 @@ Driver blender_driver() {
           .revision = 1,
           .find = find_blender,
           .source = blender_source,
-          .render = render};
+          .render = render_blender};
 }
 
 }  // namespace litmus

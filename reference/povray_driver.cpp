@@ -134,8 +134,8 @@ double work(const Scene& scene) {
   return rays + triangles * double(frames(scene));
 }
 
-void render(const Installation& povray, std::span<const Scene> scenes,
-            const ReferenceOptions& options, const ResultSink& sink) {
+void render_povray(const Installation& povray, std::span<const Scene> scenes,
+                   const ReferenceOptions& options, const ResultSink& sink) {
   if (scenes.empty()) return;
   std::vector<std::size_t> order(scenes.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
@@ -227,7 +227,7 @@ Driver povray_driver() {
           .revision = 1,
           .find = find_povray,
           .source = povray_source,
-          .render = render};
+          .render = render_povray};
 }
 
 }  // namespace litmus

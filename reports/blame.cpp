@@ -94,9 +94,7 @@ void add_blame(Comparison& row, const Case& entry, Truth& truth) {
     const CaseLayer& layer = entry.layers[k];
     if (layer.light != row.light) continue;
     for (const CaseLayer::Theirs& theirs : layer.theirs) {
-      if (theirs.reference != row.reference ||
-          theirs.picture.pixels.size() != layer.ours.pixels.size())
-        continue;
+      if (theirs.reference != row.reference || !same_size(theirs.picture, layer.ours)) continue;
       std::vector<Witness> witnesses;
       for (const Difference::Pixel& pixel : differing(layer, theirs.picture, row)) {
         if (witnesses.size() == kWitnesses) break;

@@ -19,28 +19,28 @@
 namespace litmus {
 namespace {
 
-using Mask = std::vector<std::uint8_t>;
+using PixelMask = std::vector<std::uint8_t>;
 
 /// The pixels of a region, whether known or not.
-Mask members_of(const CaseLayer& layer, Region region) {
-  Mask members = layer.edge;
+PixelMask members_of(const CaseLayer& layer, Region region) {
+  PixelMask members = layer.edge;
   if (region == Region::Edge) return members;
   if (region == Region::Interior) {
     for (std::uint8_t& member : members) member = !member;
     return members;
   }
   if (region == Region::All || layer.flags.empty())
-    return Mask(members.size(), region == Region::All);
+    return PixelMask(members.size(), region == Region::All);
   return region_mask(layer.flags, layer.edge, region);
 }
 
-void restrict(Mask& members, const Mask& known) {
+void restrict(PixelMask& members, const PixelMask& known) {
   for (std::size_t i = 0; i < members.size(); ++i) members[i] &= known[i];
 }
 
 /// What the pixels without a closed form may not be asked about.
-Mask edge_or_unknown(const CaseLayer& layer, const Mask& known) {
-  Mask mask = layer.edge;
+PixelMask edge_or_unknown(const CaseLayer& layer, const PixelMask& known) {
+  PixelMask mask = layer.edge;
   for (std::size_t i = 0; i < mask.size(); ++i) mask[i] |= !known[i];
   return mask;
 }
@@ -51,7 +51,7 @@ std::vector<Comparison> pixel_rows(const CaseLayer& layer, const ExpectedLayer& 
   std::vector<RegionVerdict> verdicts;
   for (const Region region : {Region::Interior, Region::Lit, Region::Penumbra, Region::Umbra,
                               Region::Highlight, Region::Edge, Region::All}) {
-    Mask members = members_of(layer, region);
+    PixelMask members = members_of(layer, region);
     restrict(members, expected.known);
     const Tolerance tolerance = find_tolerance(kClosedForm, region);
     const Difference d = difference(layer.ours, expected.picture, members, tolerance.max_abs);

@@ -7,7 +7,7 @@
 namespace litmus {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 3> kRenderers{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 3> kInSentences{
     {{"litmus", "litmus"}, {"povray", "POV-Ray"}, {"blender", "Cycles"}}};
 
 const CostSeries* series_of(const CostTopic& topic, std::string_view name) {
@@ -35,7 +35,7 @@ std::string price_of(const CostTopic& topic, double error, const CostPoint& unit
     const CostPoint* point = series ? first_within(*series, error) : nullptr;
     if (point) add(*point, "");
   }
-  for (const auto& [renderer, title] : kRenderers) {
+  for (const auto& [renderer, title] : kInSentences) {
     if (renderer == "litmus") continue;
     const FrontPoint best = cheapest(topic, renderer, ErrorMetric::Max, error);
     if (best.point) add(*best.point, fmt::format("{} with ", title));

@@ -53,12 +53,12 @@ std::string annotation(const Case* one, const std::string& light, const std::str
 }
 
 /// What to annotate, before any file is read for its line.
-struct Finding {
+struct Annotated {
   std::string scene, light, title, message;
 };
 
-std::vector<Finding> findings_of(const Study& study) {
-  std::vector<Finding> findings;
+std::vector<Annotated> findings_of(const Study& study) {
+  std::vector<Annotated> findings;
   for (const Case& one : study.cases)
     for (const CaseReference& reference : one.references)
       if (!reference.failure.empty())
@@ -95,7 +95,7 @@ std::string github_text(std::string_view text) { return escaped(text, "%\r\n"); 
 std::string github_property(std::string_view text) { return escaped(text, "%\r\n:,"); }
 
 std::string github_annotations(const Study& study) {
-  const std::vector<Finding> findings = findings_of(study);
+  const std::vector<Annotated> findings = findings_of(study);
   const std::size_t shown = findings.size() > kAnnotations ? kAnnotations - 1 : findings.size();
   std::string text;
   for (std::size_t i = 0; i < shown; ++i)

@@ -10,7 +10,7 @@ namespace litmus {
 namespace {
 using kainjow::mustache::data;
 
-constexpr std::size_t kListed = 6;  // of each kind
+constexpr std::size_t kListedChanges = 6;  // of each kind
 
 std::string title_of(const std::string& kind) {
   if (kind == "new failure") return "New failures";
@@ -28,14 +28,14 @@ data group_data(const Study& study, const std::string& kind) {
   data items{data::type::list};
   std::size_t count = 0;
   for (const BaselineChange& change : study.baseline->changes) {
-    if (change.kind != kind || ++count > kListed) continue;
+    if (change.kind != kind || ++count > kListedChanges) continue;
     data item;
     item.set("anchor", anchor_of(study, change));
     item.set("scene", text_data(change.scene));
     item.set("sentence", text_data(sentence_of(change).substr(change.scene.size())));
     items.push_back(item);
   }
-  const std::size_t left = count - std::min(count, kListed);
+  const std::size_t left = count - std::min(count, kListedChanges);
   data group;
   group.set("title", title_of(kind));
   group.set("left", left > 0 ? data(std::to_string(left)) : flag(false));
@@ -70,8 +70,8 @@ data approvals_data(const Study& study, const Case& one) {
     if (failing_rows(study, one.scene, reference.reference).empty()) continue;
     const std::string refusal = approval_refusal(study, one.scene, reference.reference);
     data item;
-    item.set("command", refusal.empty() ? text_data(approve_command(one, reference.reference))
-                                        : flag(false));
+    item.set("command",
+             refusal.empty() ? text_data(approve_command(one, reference.reference)) : flag(false));
     item.set("refusal", refusal.empty() ? flag(false) : text_data(refusal));
     list.push_back(item);
   }

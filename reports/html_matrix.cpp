@@ -31,8 +31,6 @@ std::string short_title(const std::string& reference) {
   return title.substr(0, title.find(' '));
 }
 
-std::string short_type(const std::string& type) { return type == "all" ? "whole" : type; }
-
 Tally tally_of(const Study& study, const Case& one, const std::string& type,
                const std::string& reference) {
   return tally(study, [&](const Comparison& row) {
@@ -62,7 +60,7 @@ data matrix_cell(const Study& study, const Case& one, const std::string& type,
   cell.set("type", text_data(type));
   cell.set("empty", flag(rows.rows == 0));
   cell.set("filled", flag(rows.rows > 0));
-  cell.set("shown", text_data(short_type(type)));
+  cell.set("shown", text_data(light_type_title(type)));
   cell.set("label", text_data(short_title(reference)));
   cell.set("anchor",
            shown != nullptr ? layer_anchor(study, one, shown->light) : case_anchor(study, one));
@@ -76,7 +74,7 @@ data light_types_data(const Study& study) {
   for (const std::string& type : light_types_of(study)) {
     data one;
     one.set("key", text_data(type));
-    one.set("type", text_data(short_type(type)));
+    one.set("type", text_data(light_type_title(type)));
     list.push_back(one);
   }
   return list;

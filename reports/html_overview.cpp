@@ -266,7 +266,7 @@ data informative_data(const Study& study) {
     const Case* worst = find_case(study, line.scene);
     data one;
     one.set("reference", text_data(reference_title(line.reference)));
-    one.set("type", text_data(line.light_type == "all" ? "whole" : line.light_type));
+    one.set("type", text_data(light_type_title(line.light_type)));
     one.set("values", values);
     one.set("scene", text_data(line.scene));
     one.set("anchor", worst == nullptr ? "" : case_anchor(study, *worst));

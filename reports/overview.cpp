@@ -152,6 +152,10 @@ std::vector<double> seconds_of(std::span<const Case> cases,
   return seconds;
 }
 
+std::string light_type_title(const std::string& light_type) {
+  return light_type == "all" ? "whole" : light_type;
+}
+
 std::string reference_title(const std::string& reference) {
   if (reference == kClosedForm) return "closed form";
   const Driver* driver = find_driver(reference);

@@ -63,6 +63,9 @@ std::vector<const Case*> cases_by_verdict(const Study& study);
 std::vector<double> seconds_of(std::span<const Case> cases,
                                const std::vector<std::string>& references);
 
+/// "whole" for "all"; a light type's name, or "ambient", itself.
+std::string light_type_title(const std::string& light_type);
+
 /// "POV-Ray" for "povray"; the name itself if no driver has it.
 std::string reference_title(const std::string& reference);
 

@@ -11,7 +11,8 @@
 namespace litmus {
 namespace {
 
-constexpr double kWidth = 320, kHeight = 156, kLeft = 46, kRight = 8, kTop = 22, kBottom = 30;
+constexpr double kCurveWidth = 320, kCurveHeight = 156, kCurveLeft = 46, kCurveRight = 8,
+                 kCurveTop = 22, kCurveBottom = 30;
 
 /// Where values stand in the plot.
 struct Scale {
@@ -20,14 +21,15 @@ struct Scale {
   double low, high;  ///< of the errors, or of their logarithms
 
   double x(double value) const {
-    return kLeft + (value - x_low) / (x_high - x_low) * (kWidth - kLeft - kRight);
+    return kCurveLeft +
+           (value - x_low) / (x_high - x_low) * (kCurveWidth - kCurveLeft - kCurveRight);
   }
   /// What is not finite stands above the plot.
   double y(double value) const {
-    if (!std::isfinite(value)) return kTop - 12;
+    if (!std::isfinite(value)) return kCurveTop - 12;
     const double v = logarithmic ? std::log10(std::max(value, 1e-300)) : value;
     const double share = std::clamp((v - low) / (high - low), 0.0, 1.0);
-    return kHeight - kBottom - share * (kHeight - kBottom - kTop);
+    return kCurveHeight - kCurveBottom - share * (kCurveHeight - kCurveBottom - kCurveTop);
   }
 };
 
@@ -79,8 +81,8 @@ std::string grid(const Scale& scale) {
   const auto level = [&](double value, const std::string& label) {
     const double y = scale.y(value);
     lines += fmt::format("<line class=\"grid\" x1=\"{}\" x2=\"{}\" y1=\"{:.1f}\" y2=\"{:.1f}\"/>",
-                         kLeft, kWidth - kRight, y, y) +
-             text(kLeft - 4, y + 3, "end", label);
+                         kCurveLeft, kCurveWidth - kCurveRight, y, y) +
+             text(kCurveLeft - 4, y + 3, "end", label);
   };
   if (scale.logarithmic) {
     const double step = std::max(1.0, std::ceil((scale.high - scale.low) / 5));
@@ -94,7 +96,8 @@ std::string grid(const Scale& scale) {
   }
   const double step = round_step((scale.x_high - scale.x_low) / 4);
   for (double at = std::ceil(scale.x_low / step) * step; at <= scale.x_high; at += step)
-    lines += text(scale.x(at), kHeight - kBottom + 12, "middle", fmt::format("{:.3g}", at + 0.0));
+    lines += text(scale.x(at), kCurveHeight - kCurveBottom + 12, "middle",
+                  fmt::format("{:.3g}", at + 0.0));
   return lines;
 }
 
@@ -105,14 +108,16 @@ std::string stress_plot(const StressRow& row) {
   const bool broken = std::any_of(row.curve->naive.begin(), row.curve->naive.end(),
                                   [](double value) { return !std::isfinite(value); });
   std::string svg = fmt::format(
-      "<svg class=\"plot\" viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\">", kWidth, kHeight,
+      "<svg class=\"plot\" viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\">", kCurveWidth,
+      kCurveHeight,
       html_text(fmt::format("{} of {} over {}", row.curve->y_label, row.what, row.curve->x_label)));
   svg += grid(scale);
-  if (broken) svg += text(kLeft - 4, kTop - 9, "end", "NaN, inf");
+  if (broken) svg += text(kCurveLeft - 4, kCurveTop - 9, "end", "NaN, inf");
   svg += fmt::format("<line class=\"allowed\" x1=\"{}\" x2=\"{}\" y1=\"{:.1f}\" y2=\"{:.1f}\"/>",
-                     kLeft, kWidth - kRight, scale.y(row.bound), scale.y(row.bound));
+                     kCurveLeft, kCurveWidth - kCurveRight, scale.y(row.bound), scale.y(row.bound));
   svg += path(scale, row.curve->naive, "naive") + path(scale, row.curve->robust, "ours");
-  svg += text((kLeft + kWidth - kRight) / 2, kHeight - 4, "middle", row.curve->x_label);
+  svg += text((kCurveLeft + kCurveWidth - kCurveRight) / 2, kCurveHeight - 4, "middle",
+              row.curve->x_label);
   return svg + "</svg>";
 }
 

@@ -12,7 +12,7 @@
 namespace litmus {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 3> kRenderers{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 3> kColumns{
     {{"litmus", "litmus"}, {"povray", "POV-Ray"}, {"blender", "Blender Cycles"}}};
 
 double least_time(const CostTopic& topic) {
@@ -39,14 +39,14 @@ std::string setting_words(const FrontPoint& one) {
 /// Which setting for which error: one row per error, one column per renderer.
 std::string advice(const CostTopic& topic) {
   std::string heads, rows;
-  for (const auto& [name, title] : kRenderers) {
+  for (const auto& [name, title] : kColumns) {
     if (has_renderer(topic, name))
       heads += fmt::format("<th class=\"word\">{}</th><th>time</th>", title);
   }
   for (const double error : kAskedErrors) {
     std::string cells;
     bool any = false;
-    for (const auto& [name, title] : kRenderers) {
+    for (const auto& [name, title] : kColumns) {
       if (!has_renderer(topic, name)) continue;
       const FrontPoint best = cheapest(topic, name, ErrorMetric::Max, error);
       any = any || best.point;

@@ -19,11 +19,11 @@ void set(pugi::xml_node node, const char* name, const std::string& value) {
   node.append_attribute(name).set_value(clean_text(value).c_str());
 }
 
-struct Counts {
+struct SuiteCounts {
   int tests = 0, failures = 0, skipped = 0, errors = 0;
 };
 
-void set_counts(pugi::xml_node node, const Counts& counts) {
+void set_counts(pugi::xml_node node, const SuiteCounts& counts) {
   set(node, "tests", std::to_string(counts.tests));
   set(node, "failures", std::to_string(counts.failures));
   set(node, "errors", std::to_string(counts.errors));
@@ -52,7 +52,7 @@ std::string figures(const Comparison& row) {
   return text;
 }
 
-void add_row(pugi::xml_node suite, const Comparison& row, Counts& counts) {
+void add_row(pugi::xml_node suite, const Comparison& row, SuiteCounts& counts) {
   std::string name =
       fmt::format("{}: {}, {}", reference_title(row.reference), row.light, row.region);
   if (row.light_type != row.light) name += fmt::format(" ({})", row.light_type);
@@ -70,7 +70,7 @@ void add_row(pugi::xml_node suite, const Comparison& row, Counts& counts) {
   }
 }
 
-void add_renderer_failures(pugi::xml_node suite, const Case& one, Counts& counts) {
+void add_renderer_failures(pugi::xml_node suite, const Case& one, SuiteCounts& counts) {
   for (const CaseReference& reference : one.references) {
     if (reference.failure.empty()) continue;
     ++counts.tests;
@@ -83,8 +83,8 @@ void add_renderer_failures(pugi::xml_node suite, const Case& one, Counts& counts
   }
 }
 
-Counts add_suite(pugi::xml_node root, const Study& study, const Case& one) {
-  Counts counts;
+SuiteCounts add_suite(pugi::xml_node root, const Study& study, const Case& one) {
+  SuiteCounts counts;
   pugi::xml_node suite = root.append_child("testsuite");
   set(suite, "name", one.scene);
   add_renderer_failures(suite, one, counts);
@@ -122,9 +122,9 @@ void write_junit(const Study& study, const std::filesystem::path& file) {
   pugi::xml_document document;
   pugi::xml_node root = document.append_child("testsuites");
   set(root, "name", "litmus");
-  Counts total;
+  SuiteCounts total;
   for (const Case& one : study.cases) {
-    const Counts counts = add_suite(root, study, one);
+    const SuiteCounts counts = add_suite(root, study, one);
     total.tests += counts.tests;
     total.failures += counts.failures;
     total.skipped += counts.skipped;

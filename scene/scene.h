@@ -70,6 +70,9 @@ struct Light {
 /// "directional", "point", "spot" or "area".
 std::string_view light_type(const Light& light);
 
+/// The attenuation of a light, or none for a directional one.
+Attenuation attenuation_of(const Light& light);
+
 // ---- Surfaces --------------------------------------------------------------------------------
 
 /// The factors ka, kd, ks and the exponent ns of slide 5.
@@ -145,14 +148,25 @@ enum class Shading { Equation, SampleCode };
 
 /// A closed form that holds in a scene: something that is true by geometry, without any renderer
 /// (reference/closed_form.h computes it, scene/expect.h names it).
-enum class Oracle { Ambient, Floor, Spheres, Shell, Dark, ShadowCurves, ConeCurve, ShadowArea, Highlight, RectangleLimit };
+enum class Oracle {
+  Ambient,
+  Floor,
+  Spheres,
+  Shell,
+  Dark,
+  ShadowCurves,
+  ConeCurve,
+  ShadowArea,
+  Highlight,
+  RectangleLimit
+};
 
 struct Scene {
   std::string name;            ///< the file's stem
   std::filesystem::path file;  ///< where it was read from
   std::string about;           ///< one sentence: what the scene shows
   std::vector<std::string> tags;
-  std::vector<Oracle> expect;  ///< what is known of the picture beforehand
+  std::vector<Oracle> expect;     ///< what is known of the picture beforehand
   int width = 128, height = 128;  ///< pixels
   int samples = 1;                ///< samples x samples box filter per pixel
   Camera camera;

@@ -29,13 +29,6 @@ constexpr CountName kCounts[] = {
     {"powers", &Counts::powers},
 };
 
-const Attenuation* attenuation_of(const Light& light) {
-  if (const auto* point = std::get_if<PointLight>(&light.shape)) return &point->attenuation;
-  if (const auto* spot = std::get_if<SpotLight>(&light.shape)) return &spot->point.attenuation;
-  if (const auto* area = std::get_if<AreaLight>(&light.shape)) return &area->point.attenuation;
-  return nullptr;
-}
-
 /// A flat surface alone cannot stand between itself and a light.
 bool may_shadow(const Scene& scene) {
   if (!scene.shadows || scene.objects.empty()) return false;
@@ -48,10 +41,9 @@ void add_light(Effects& effects, const Scene& scene, const Light& light) {
   // To the sample code a light of intensity 0 still brings ambient light, where nothing hides it.
   if (light.intensity == 0 && scene.shading == Shading::Equation) return;
   effects.shadows |= may_shadow(scene);
-  if (const Attenuation* attenuation = attenuation_of(light)) {
-    effects.linear |= attenuation->linear != 0;
-    effects.quadratic |= attenuation->quadratic != 0;
-  }
+  const Attenuation attenuation = attenuation_of(light);
+  effects.linear |= attenuation.linear != 0;
+  effects.quadratic |= attenuation.quadratic != 0;
   effects.cone |= std::holds_alternative<SpotLight>(light.shape);
   const auto* area = std::get_if<AreaLight>(&light.shape);
   effects.area |= area && area->columns * area->rows > 1;

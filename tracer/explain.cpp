@@ -164,22 +164,13 @@ void for_each_hit(const Plan<double>& plan, Visit visit) {
 
 // ---- The table of terms ----------------------------------------------------------------------
 
-const Attenuation* attenuation_of(const Light& light) {
-  if (const auto* point = std::get_if<PointLight>(&light.shape)) return &point->attenuation;
-  if (const auto* spot = std::get_if<SpotLight>(&light.shape)) return &spot->point.attenuation;
-  if (const auto* area = std::get_if<AreaLight>(&light.shape)) return &area->point.attenuation;
-  return nullptr;
-}
-
 bool always(const Scene&, const Light&) { return true; }
-bool has_place(const Scene&, const Light& light) { return attenuation_of(light) != nullptr; }
-bool has_linear(const Scene&, const Light& light) {
-  const Attenuation* attenuation = attenuation_of(light);
-  return attenuation && attenuation->linear != 0;
+bool has_place(const Scene&, const Light& light) {
+  return !std::holds_alternative<DirectionalLight>(light.shape);
 }
+bool has_linear(const Scene&, const Light& light) { return attenuation_of(light).linear != 0; }
 bool has_quadratic(const Scene&, const Light& light) {
-  const Attenuation* attenuation = attenuation_of(light);
-  return attenuation && attenuation->quadratic != 0;
+  return attenuation_of(light).quadratic != 0;
 }
 bool has_cone(const Scene&, const Light& light) {
   return std::holds_alternative<SpotLight>(light.shape);

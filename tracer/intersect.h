@@ -72,7 +72,8 @@ Mask<V> may_meet(const Ball<Scalar<V>>& ball, const Ray<V>& ray) {
   const Vec<V> f = ray.origin - Vec<V>(ball.center);
   const V squared = dot(f, f), along = dot(f, ray.direction);
   const V a = dot(ray.direction, ray.direction);
-  const V reach = squared * (R(64) * kUnit<R>)+(ball.radius * ball.radius + kTiny<R>);
+  const R rounding = R(64) * kUnit<R>;
+  const V reach = rounding * squared + V(ball.radius * ball.radius + kTiny<R>);
   const Mask<V> beside = squared * a - along * along > reach * a;
   const Mask<V> behind = (along > R(0)) & (squared > reach);
   return !(beside | behind);

@@ -7,13 +7,13 @@
 namespace litmus {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
 /// Bounds of |D| and |S| where the vector to the light differs from that to the centre by `delta`
 /// of its length, in complex coordinates.
 Terms<double> bounds_within(const LightPatch& patch, double delta) {
   const double q = 2 * delta + delta * delta;
-  if (!(q < 1)) return {kInfinity, kInfinity};
+  if (!(q < 1)) return {kUnbounded, kUnbounded};
   const double eta = 1 - std::sqrt(1 - q), lambda = (delta + eta) / (1 - eta);
   const double x = patch.distance * (1 - eta) / patch.lamp.range;
   const double weakened = patch.lamp.attenuated ? linear_attenuation(x, patch.lamp.linear) *
@@ -25,7 +25,7 @@ Terms<double> bounds_within(const LightPatch& patch, double delta) {
   bound.specular =
       lambda < above && 2 * lambda < below
           ? weakened * std::pow((above + lambda) / std::sqrt(below - 2 * lambda), patch.shininess)
-          : kInfinity;
+          : kUnbounded;
   return bound;
 }
 

@@ -12,7 +12,7 @@ namespace {
 using V3 = Vec<double>;
 using Key = std::array<double, 6>;
 
-constexpr std::size_t kLeafSize = 4;
+constexpr std::size_t kEdgesInLeaf = 4;
 constexpr double kSilhouetteMargin = 1e-12;
 
 bool before(const V3& a, const V3& b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); }
@@ -53,7 +53,7 @@ void build(EdgeTree& tree, std::size_t begin, std::size_t end) {
   BoxSurface<double> box{tree.edges[begin].a, tree.edges[begin].a};
   for (std::size_t i = begin; i < end; ++i) grow(box, tree.edges[i].a), grow(box, tree.edges[i].b);
   tree.nodes[index].box = box;
-  if (end - begin <= kLeafSize) {
+  if (end - begin <= kEdgesInLeaf) {
     tree.nodes[index].first = std::uint32_t(begin),
     tree.nodes[index].count = std::uint32_t(end - begin);
     return;

@@ -64,7 +64,8 @@ Sightlines<V> sightlines(const Ball<R>& lamps, const Hit<V>& hit) {
           max_abs(hit.point) + hit.reach};
 }
 
-/// The surfaces that may hide a lamp of the light from a point that is asked for.
+/// Finds the surfaces that may hide a lamp of the light from a point that is asked for. Written in
+/// place: of a list, only what it counts; clearing the rest would take longer than finding it.
 template <Real R, Value V>
 void find_suspects(const Plan<R>& plan, const Source<R>& source, const Hit<V>& hit,
                    const Mask<V>& asked, Suspects& suspects) {

@@ -46,15 +46,15 @@ struct PovrayLive : InFolder {
   ReferenceResult render(const Scene& scene) { return render(std::vector{scene}).at(scene.name); }
 };
 
-constexpr int kWidth = 12, kHeight = 8;
+constexpr int kFloorWidth = 12, kFloorHeight = 8;
 const Color kDiffuse(0.8, 0.6, 0.4);
 
 /// A floor of 6 x 4 units from above; pixels are half a unit apart.
 Scene povray_floor(const std::string& name) {
   Scene scene;
   scene.name = name;
-  scene.width = kWidth;
-  scene.height = kHeight;
+  scene.width = kFloorWidth;
+  scene.height = kFloorHeight;
   scene.camera = {Projection::Orthographic, {0, 0, 9}, {0, 0, 0}, {0, 1, 0}, 0.7, 4};
   scene.materials.push_back({"floor", Color(0.5), kDiffuse, Color(0), 1});
   scene.objects.push_back({"floor", Plane{}, 0, true});
@@ -74,10 +74,10 @@ Point floor_point(int i, int j) { return {(i + 0.5) / 2 - 3, 2 - (j + 0.5) / 2, 
 /// Fails where a layer is not kd * expected(point on the floor).
 template <class F>
 void expect_floor(const Picture& picture, const F& expected) {
-  ASSERT_EQ(picture.width, kWidth);
-  ASSERT_EQ(picture.height, kHeight);
-  for (int j = 0; j < kHeight; ++j)
-    for (int i = 0; i < kWidth; ++i)
+  ASSERT_EQ(picture.width, kFloorWidth);
+  ASSERT_EQ(picture.height, kFloorHeight);
+  for (int j = 0; j < kFloorHeight; ++j)
+    for (int i = 0; i < kFloorWidth; ++i)
       for (int c = 0; c < 3; ++c)
         ASSERT_NEAR(picture.at(i, j)[c], kDiffuse[c] * expected(floor_point(i, j)), kSingle)
             << i << ", " << j << ", channel " << c;
@@ -130,8 +130,8 @@ TEST_F(PovrayLive, IsFinerThanSixteenBits) {
   // The first pass alone is what a step of 1/65535 leaves.
   const Picture coarse = read_picture(folder / "0000" / "scene2.png");
   double worst = 0;
-  for (int j = 0; j < kHeight; ++j)
-    for (int i = 0; i < kWidth; ++i) {
+  for (int j = 0; j < kFloorHeight; ++j)
+    for (int i = 0; i < kFloorWidth; ++i) {
       const double exact = kDiffuse.r * 2 / glm::distance(floor_point(i, j), Point(0.3, -0.2, 2));
       worst = std::max(worst, std::abs(coarse.at(i, j).r - exact));
       ASSERT_NEAR(result.layers[1].picture.at(i, j).r, exact, kSingle);

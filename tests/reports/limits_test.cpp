@@ -8,6 +8,7 @@
 
 #include "reference/closed_form_figures.h"
 #include "scene/load.h"
+#include "tests/largest_difference.h"
 #include "tracer/render.h"
 
 namespace litmus {
@@ -18,15 +19,6 @@ Scene small(const std::string& name, int side) {
   Scene scene = load_scene(find_scene(name));
   scene.width = scene.height = side;
   return scene;
-}
-
-double largest_difference(const Picture& a, const Picture& b) {
-  double largest = 0;
-  for (std::size_t i = 0; i < a.pixels.size(); ++i) {
-    const glm::dvec3 d = glm::abs(a.pixels[i] - b.pixels[i]);
-    largest = std::max({largest, d.x, d.y, d.z});
-  }
-  return largest;
 }
 
 /// The exact integral over the rectangle of R4 at every pixel's point of the floor.

@@ -12,6 +12,7 @@
 #include "scene/bands.h"
 #include "scene/load.h"
 #include "scene/observer.h"
+#include "tests/largest_difference.h"
 #include "tests/tracer/scenes.h"
 
 namespace litmus {
@@ -47,14 +48,6 @@ Scene canonical(const std::string& name, int width = 40) {
   scene.height = std::max(1, scene.height * width / scene.width);
   scene.width = width;
   return scene;
-}
-
-double largest_difference(const Picture& a, const Picture& b) {
-  double largest = 0;
-  for (std::size_t i = 0; i < a.pixels.size(); ++i)
-    for (int c = 0; c < 3; ++c)
-      largest = std::max(largest, std::abs(a.pixels[i][c] - b.pixels[i][c]));
-  return largest;
 }
 
 void expect_each_band(const Scene& scene) {

@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "tests/largest_difference.h"
 #include "tests/tracer/scenes.h"
 
 namespace litmus {
@@ -30,15 +31,6 @@ Scene busy_scene() {
   scene.lights.push_back(make_light(area, "panel"));
   scene.lights.back().ambient = Color(0.05);
   return scene;
-}
-
-double largest_difference(const Picture& a, const Picture& b) {
-  double largest = 0;
-  for (std::size_t i = 0; i < a.pixels.size(); ++i) {
-    const glm::dvec3 d = glm::abs(a.pixels[i] - b.pixels[i]);
-    largest = std::max({largest, d.x, d.y, d.z});
-  }
-  return largest;
 }
 
 double peak(const Picture& picture) {
