@@ -63,11 +63,17 @@ struct Visit {
 
 constexpr const char* kSaid = "litmus-seen ";
 
-/// Opens the page until it has said something, or for a minute.
+/// Leads to the page once the browser is up: it takes longer to start than the page to load.
+constexpr const char* kOpener = R"(<!DOCTYPE html><title>opener</title><script>
+addEventListener("load", () => setTimeout(() => location.replace("report.html"), 500));
+</script>)";
+
+/// Opens the page in a running browser until it has said something, or for a minute.
 Visit visit(const std::string& page) {
   std::string name = (fs::temp_directory_path() / "litmus-page-XXXXXX").string();
   const fs::path folder = ::mkdtemp(name.data());
   std::ofstream(folder / "report.html", std::ios::binary) << page;
+  std::ofstream(folder / "opener.html") << kOpener;
   const std::string command =
       "cd '" + folder.string() +
       "' && { timeout 60 chromium --headless --no-sandbox --disable-gpu --disable-dev-shm-usage "
@@ -77,7 +83,7 @@ Visit visit(const std::string& page) {
       "--disable-background-timer-throttling --disable-renderer-backgrounding "
       "--disable-backgrounding-occluded-windows "
       "--enable-logging=stderr --window-size=1280,900 --user-data-dir=profile "
-      "\"file://$PWD/report.html\" >out 2>log & } && browser=$! && "
+      "\"file://$PWD/opener.html\" >out 2>log & } && browser=$! && "
       "while kill -0 $browser 2>kill && ! grep -q '" +
       kSaid + ".*source:' log; do sleep 0.1; done; { kill $browser; wait $browser; } 2>kill";
   std::system(command.c_str());
