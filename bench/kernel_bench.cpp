@@ -5,6 +5,7 @@
 
 #include "bench/stage.h"
 #include "scene/load.h"
+#include "scene/observer.h"
 #include "tracer/bands.h"
 #include "tracer/kernel.h"
 #include "tracer/pixels.h"
@@ -77,9 +78,21 @@ void add_embree([[maybe_unused]] const std::string& name, [[maybe_unused]] const
 #endif
 }
 
+/// A scene in 40 bands, each of them its red.
+Scene in_bands(Scene scene) {
+  const auto all = [](const Color& color) { return std::vector<double>(kDefaultBands, color.r); };
+  Spectra& spectra = scene.spectra.emplace();
+  spectra.bands = kDefaultBands, spectra.ambient = all(scene.ambient);
+  spectra.xyz = band_xyz(gaussian_observer(), constant_spectrum(1), kDefaultBands);
+  for (const Material& one : scene.materials)
+    spectra.materials.push_back({all(one.ambient), all(one.diffuse), all(one.specular)});
+  for (const Light& one : scene.lights)
+    spectra.lights.push_back({all(one.ambient), all(one.diffuse), all(one.specular)});
+  return scene;
+}
+
 /// A spectral scene in all its bands against the same scene in plain colours, on one thread.
-void add_bands(const std::string& name) {
-  const Scene spectral = load_scene(find_scene(name));
+void add_bands(const std::string& name, const Scene& spectral) {
   Scene plain = spectral;
   plain.spectra.reset();
   const RenderOptions options{.precision = Precision::Double, .threads = 1};
@@ -113,8 +126,9 @@ int main(int argc, char** argv) {
     add<double>(name + "/primary", mesh, effects_of(mesh), fastest());
     add_embree(name + "/embree-primary", mesh);
   }
-  add_bands("w1-bands");
-  add_bands("w3-sodium");
+  for (const std::string name : {"w1", "w3", "w4"}) add_bands(name, load_scene(find_scene(name)));
+  for (const std::string name : {"d2", "x2"})
+    add_bands(name, in_bands(load_scene(find_scene(name))));
   benchmark::Initialize(&argc, argv);
   benchmark::RunSpecifiedBenchmarks();
 }

@@ -38,10 +38,11 @@ std::vector<double> band_centres(const Spectra& spectra) {
 
 std::vector<Scene> band_scenes(const Scene& scene) {
   const Spectra& spectra = *scene.spectra;
+  Scene plain = scene;
+  plain.spectra.reset();
   std::vector<Scene> scenes;
   for (int picture = 0; picture < band_pictures(spectra); ++picture) {
-    Scene one = scene;
-    one.spectra.reset();
+    Scene one = plain;
     one.name = fmt::format("{}-{:02}", scene.name, picture);
     one.ambient = three_bands(spectra.ambient, picture);
     const auto paint = [&](auto& target, const BandColors& colors) {
