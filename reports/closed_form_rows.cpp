@@ -38,6 +38,10 @@ void restrict(PixelMask& members, const PixelMask& known) {
   for (std::size_t i = 0; i < members.size(); ++i) members[i] &= known[i];
 }
 
+bool any(const PixelMask& members) {
+  return std::find(members.begin(), members.end(), 1) != members.end();
+}
+
 /// What the pixels without a closed form may not be asked about.
 PixelMask edge_or_unknown(const CaseLayer& layer, const PixelMask& known) {
   PixelMask mask = layer.edge;
@@ -138,7 +142,7 @@ void add_skipped(Study& study, const Case& entry, const std::string& reason) {
 
 }  // namespace
 
-void compare_with_closed_form(const Scene& scene, const Case& entry, Study& study) {
+void compare_with_closed_form(const Scene& scene, Case& entry, Study& study) {
   if (scene.expect.empty()) return;
   ClosedForm known;
   try {
@@ -148,12 +152,13 @@ void compare_with_closed_form(const Scene& scene, const Case& entry, Study& stud
   }
   if (!known.layers.empty()) known.layers.push_back(whole_of(known.layers));
   for (std::size_t k = 0; k < entry.layers.size(); ++k) {
-    const CaseLayer& layer = entry.layers[k];
+    CaseLayer& layer = entry.layers[k];
     if (!known.layers.empty()) {
       for (Comparison& row : pixel_rows(layer, known.layers[k]))
         add(study, entry, layer, std::move(row));
       compare_pairs(entry, layer, {kClosedForm, "computed", known.layers[k].picture},
                     edge_or_unknown(layer, known.layers[k].known), study.pairs);
+      if (any(known.layers[k].known)) layer.exact = std::move(known.layers[k]);
     }
     for (const Claim& claim : known.claims)
       if (claim.layer == k) add(study, entry, layer, claim_row(claim, layer.ours));

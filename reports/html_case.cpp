@@ -132,18 +132,18 @@ double allowed(const Study& study, const Case& one, const CaseLayer& layer,
 }
 
 void add_theirs(data& figures, const Study& study, const Case& one, const CaseLayer& layer,
-                const CaseLayer::Theirs& theirs) {
-  if (!same_size(layer.ours, theirs.picture)) return;
-  const std::string title = reference_title(theirs.reference);
+                const std::string& reference, const Picture& theirs) {
+  if (!same_size(layer.ours, theirs)) return;
+  const std::string title = reference_title(reference);
   const Tally rows = tally(study, [&](const Comparison& row) {
-    return row.scene == one.scene && row.light == layer.light && row.reference == theirs.reference;
+    return row.scene == one.scene && row.light == layer.light && row.reference == reference;
   });
   // Where they agree, theirs looks like ours: the whole picture shows it once per scene.
   if (layer.light == "all" || rows.failed > 0)
-    figures.push_back(figure("theirs", title, theirs.reference));
-  const double inside = allowed(study, one, layer, theirs.reference, Region::Interior);
-  const double border = allowed(study, one, layer, theirs.reference, Region::Edge);
-  data difference = figure("difference", "litmus \u2212 " + title, theirs.reference);
+    figures.push_back(figure("theirs", title, reference));
+  const double inside = allowed(study, one, layer, reference, Region::Interior);
+  const double border = allowed(study, one, layer, reference, Region::Edge);
+  data difference = figure("difference", "litmus \u2212 " + title, reference);
   difference.set("scale", short_number(inside));
   difference.set("quarter", short_number(inside / 4));
   difference.set("edge_scale", short_number(border));
@@ -157,7 +157,8 @@ data layer_data(const Study& study, const Case& one, const CaseLayer& layer) {
   data figures{data::type::list}, rows{data::type::list}, chips{data::type::list};
   figures.push_back(figure("ours", "litmus", ""));
   for (const CaseLayer::Theirs& theirs : layer.theirs)
-    add_theirs(figures, study, one, layer, theirs);
+    add_theirs(figures, study, one, layer, theirs.reference, theirs.picture);
+  add_theirs(figures, study, one, layer, kClosedForm, layer.exact.picture);
   for (const std::string& reference : references_of(study)) {
     const Tally some = tally(
         study, [&](const Comparison& row) { return is_here(row) && row.reference == reference; });

@@ -40,17 +40,21 @@ std::string address_field(std::string_view text) {
 }
 
 // Whose picture shows the row's difference: the row's reference, or, where that has none (a closed
-// form is known at some pixels only), the first that has; "" without any.
+// form may be a number or a curve), the first that has; "" without any.
 std::string shown_reference(const Study& study, const Comparison& row) {
   const Case* one = find_case(study, row.scene);
   if (one == nullptr || row.pixels == 0) return "";
   std::string first;
-  for (const CaseLayer& layer : one->layers)
+  for (const CaseLayer& layer : one->layers) {
+    if (layer.light != row.light) continue;
+    if (row.reference == kClosedForm && same_size(layer.ours, layer.exact.picture))
+      return row.reference;
     for (const CaseLayer::Theirs& theirs : layer.theirs) {
-      if (layer.light != row.light || !same_size(layer.ours, theirs.picture)) continue;
+      if (!same_size(layer.ours, theirs.picture)) continue;
       if (theirs.reference == row.reference) return row.reference;
       if (first.empty()) first = theirs.reference;
     }
+  }
   return first;
 }
 

@@ -1,14 +1,12 @@
-// page_data.cpp: the pictures of a scene as numbers, packed so that the page can unpack them.
+// page_data.cpp: the pictures of a scene as JSON for the page.
 #include "reports/page_data.h"
 
 #include <fmt/format.h>
-#include <zlib.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 #include <vector>
 
 #include "compare/difference.h"
@@ -19,40 +17,12 @@ namespace litmus {
 namespace {
 using nlohmann::ordered_json;
 
-constexpr int kTopExponent = 15;  // half floats end just below 2^16
 // Differences are kept to this part of the tolerance where a row of the scene fails, else to that.
 constexpr double kStepsOfFailures = 256, kStepsOfPasses = 32;
 
-std::string deflated_bytes(std::string_view bytes, int level = 9) {
-  uLongf size = compressBound(uLong(bytes.size()));
-  std::string result(size, '\0');
-  const int status =
-      compress2(reinterpret_cast<Bytef*>(result.data()), &size,
-                reinterpret_cast<const Bytef*>(bytes.data()), uLong(bytes.size()), level);
-  if (status != Z_OK) throw std::runtime_error("zlib cannot deflate a picture");
-  result.resize(size);
-  return result;
-}
-
-// High bytes first, then low bytes: what is alike stands together.
-std::string shuffled(std::span<const std::uint16_t> words) {
-  std::string bytes;
-  bytes.reserve(words.size() * 2);
-  for (const std::uint16_t word : words) bytes += char(word >> 8);
-  for (const std::uint16_t word : words) bytes += char(word & 255);
-  return bytes;
-}
-
-int exponent_for(const Picture& picture) {
-  double largest = 0;
-  for (const glm::dvec3& pixel : picture.pixels)
-    for (int c = 0; c < 3; ++c)
-      if (std::isfinite(pixel[c])) largest = std::max(largest, std::abs(pixel[c]));
-  return largest > 0 ? kTopExponent - std::ilogb(largest) - 1 : 0;
-}
-
 ordered_json packed_json(const PackedPicture& picture) {
-  return {{"exponent", picture.exponent}, {"delta", picture.delta}, {"data", picture.data}};
+  return {
+      {"exponent", picture.exponent}, {"guess", name_of(picture.guess)}, {"data", picture.data}};
 }
 
 const Comparison* row_of(const std::vector<Comparison>& rows, const Case& one,
@@ -87,6 +57,18 @@ ordered_json theirs_json(const Study& study, const Case& one, const CaseLayer& l
   return result;
 }
 
+// What closed forms say of a layer, as one more reference. Where they say nothing the difference is
+// 0, and so is `known`, which is left out where they say something of all pixels.
+ordered_json exact_json(const Study& study, const Case& one, const CaseLayer& layer) {
+  CaseLayer::Theirs theirs{kClosedForm, "computed", layer.exact.picture};
+  for (std::size_t i = 0; i < theirs.picture.pixels.size(); ++i)
+    if (!layer.exact.known[i]) theirs.picture.pixels[i] = layer.ours.pixels[i];
+  ordered_json result = theirs_json(study, one, layer, theirs, true);
+  const std::string known(layer.exact.known.begin(), layer.exact.known.end());
+  if (known.find('\0') != std::string::npos) result["known"] = deflated(known);
+  return result;
+}
+
 ordered_json layer_json(const Study& study, const Case& one, const CaseLayer& layer) {
   const std::string edge(layer.edge.begin(), layer.edge.end());
   const std::string flags(layer.flags.begin(), layer.flags.end());
@@ -99,6 +81,8 @@ ordered_json layer_json(const Study& study, const Case& one, const CaseLayer& la
   for (const CaseLayer::Theirs& theirs : layer.theirs)
     if (same_size(layer.ours, theirs.picture))
       result["theirs"].push_back(theirs_json(study, one, layer, theirs, true));
+  if (same_size(layer.ours, layer.exact.picture))
+    result["theirs"].push_back(exact_json(study, one, layer));
   for (const CaseLayer::Theirs& theirs : layer.aside)
     if (same_size(layer.ours, theirs.picture))
       result["theirs"].push_back(theirs_json(study, one, layer, theirs, false));
@@ -122,58 +106,6 @@ void name_repeated(ordered_json& layers) {
 }
 
 }  // namespace
-
-std::uint16_t half_bits(double value) {
-  if (std::isnan(value)) return 0x7e00;
-  const std::uint16_t sign = std::signbit(value) ? 0x8000 : 0;
-  const double size = std::abs(value);
-  if (size >= 65520) return sign | 0x7c00;
-  const int exponent = size > 0 ? std::max(std::ilogb(size), -14) : -14;
-  // The leading bit of a normal number adds one to the exponent's field.
-  const auto digits = std::uint16_t(std::nearbyint(std::ldexp(size, 10 - exponent)));
-  return std::uint16_t(sign | (((exponent + 14) << 10) + digits));
-}
-
-std::string base64(std::string_view bytes) {
-  constexpr std::string_view digits =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    std::uint32_t bits = 0;
-    for (std::size_t j = 0; j < 3; ++j)
-      bits = bits << 8 | (i + j < bytes.size() ? static_cast<unsigned char>(bytes[i + j]) : 0u);
-    for (std::size_t j = 0; j < 4; ++j)
-      text += i + j > bytes.size() ? '=' : digits[bits >> (18 - 6 * j) & 63];
-  }
-  return text;
-}
-
-std::string deflated(std::string_view bytes) { return base64(deflated_bytes(bytes)); }
-
-PackedPicture packed(const Picture& picture, double step) {
-  PackedPicture result;
-  result.exponent = exponent_for(picture);
-  const std::size_t count = picture.pixels.size();
-  std::vector<std::uint16_t> words(count * 3);
-  for (std::size_t i = 0; i < count; ++i) {
-    std::uint16_t before = 0;
-    for (int c = 0; c < 3; ++c) {
-      double value = picture.pixels[i][c];
-      if (step > 0 && std::isfinite(value)) value = std::nearbyint(value / step) * step + 0.0;
-      const std::uint16_t bits = half_bits(std::ldexp(value, result.exponent));
-      words[std::size_t(c) * count + i] = std::uint16_t(bits - before);
-      before = bits;
-    }
-  }
-  const std::string plain = shuffled(words);
-  for (std::size_t i = words.size(); i-- > 1;) words[i] = std::uint16_t(words[i] - words[i - 1]);
-  const std::string deltas = shuffled(words);
-  // A quick look tells which of the two packs better.
-  result.delta = deflated_bytes(deltas, 1).size() < deflated_bytes(plain, 1).size();
-  result.data = base64(deflated_bytes(result.delta ? deltas : plain));
-  return result;
-}
 
 Picture packed_difference(const Picture& ours, const Picture& theirs) {
   Picture result(ours.width, ours.height);

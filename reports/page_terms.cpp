@@ -9,7 +9,7 @@
 
 #include "reports/controls.h"
 #include "reports/overview.h"
-#include "reports/page_data.h"
+#include "reports/packing.h"
 #include "reports/plain_text.h"
 #include "scene/load.h"
 #include "scene/refusal.h"
@@ -49,7 +49,7 @@ ordered_json packed_term(const TermPicture& term, const Scene& scene) {
   const PackedPicture small = packed(grey);
   return {{"name", term.term},
           {"exponent", small.exponent},
-          {"delta", small.delta},
+          {"guess", name_of(small.guess)},
           {"data", small.data}};
 }
 
@@ -102,6 +102,7 @@ std::string terms_json(const Case& one) try {
   ordered_json result{{"code", scene.shading == Shading::SampleCode},
                       {"planted", control == nullptr ? "" : std::string(control->about)},
                       {"samples", scene.samples},
+                      {"width", scene.width},
                       {"ambient", color(at.ambient)},
                       {"seen", deflated(bytes_of(objects))},
                       {"reasons", ordered_json::array()},

@@ -8,7 +8,7 @@
 
 namespace litmus {
 
-/// The terms of every light at every pixel's centre (half floats, packed as in page_data.h), what
+/// The terms of every light at every pixel's centre (half floats, packed as in packing.h), what
 /// stops it there, the objects seen, and the colours of materials and lights, as JSON;
 /// reports/web/terms.js reads it. A planted mistake (Case::control) is in the numbers and named.
 /// Empty if the scene's file cannot be read any more, or is not what was rendered: numbers that do

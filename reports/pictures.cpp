@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "compare/image_io.h"
-#include "reports/page_data.h"
+#include "reports/packing.h"
 
 namespace litmus {
 namespace {

@@ -12,6 +12,7 @@
 #include "compare/registration.h"
 #include "compare/triage.h"
 #include "reference/candidate.h"
+#include "reference/closed_form.h"
 #include "reference/obtain.h"
 #include "reports/baseline.h"
 #include "scene/picture.h"
@@ -83,6 +84,7 @@ struct CaseLayer {
   std::vector<Theirs> theirs;
   std::vector<Theirs> aside;          ///< pictures of Study::informative, which nobody judges
   std::vector<std::uint8_t> flags{};  ///< what the light does there (scene/picture.h); may be empty
+  ExpectedLayer exact{};  ///< what closed forms say of it; 0 x 0 where they say nothing
 };
 
 struct CaseReference {

@@ -99,6 +99,7 @@ async function openAddress(hash) {
 function worstPixel(data, layer, theirs) {
   let worst = 0, most = -1;
   for (let i = 0; i < layer.edge.length; i++) {
+    if (!covers(theirs, i)) continue;
     const d = largestDifference(theirs.difference, i);
     const share = Number.isNaN(d) ? Infinity : Math.abs(d) / (theirs.allowed[layer.edge[i] ? 1 : 0] || 1);
     if (share > most) [worst, most] = [i, share];

@@ -1,6 +1,6 @@
 "use strict";
 // data.js: the pictures of a scene as numbers, unpacked when somebody asks for them. The format is
-// in reports/page_data.h.
+// in reports/packing.h.
 
 async function inflated(text) {
   const bytes = Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
@@ -15,24 +15,35 @@ function halfValue(bits) {
   return exponent ? sign * (1 + digits / 1024) * 2 ** (exponent - 15) : sign * digits * 2 ** -24;
 }
 
-// Red, green, blue, pixel by pixel.
-async function unpacked({ exponent, delta, data }) {
-  const bytes = await inflated(data);
-  const words = bytes.length / 2, count = words / 3, scale = 2 ** -exponent;
-  const values = new Float64Array(words);
-  const bits = new Uint16Array(words);
-  for (let i = 0; i < words; i++) {
-    bits[i] = bytes[i] << 8 | bytes[words + i];
-    if (delta && i) bits[i] += bits[i - 1];
+// What is kept as distances from a guess becomes words again, in place.
+function restore(words, width, guess) {
+  for (let i = 0; i < words.length; i++) {
+    const left = i && words[i - 1], above = i >= width, column = i % width;
+    const guessed = !column ? (above ? words[i - width] : 0)
+      : guess === "line" ? (column > 1 ? 2 * left - words[i - 2] : left)
+      : above ? left + words[i - width] - words[i - width - 1] : left;
+    words[i] = guessed + (words[i] >> 1 ^ -(words[i] & 1));
   }
-  for (let i = 0; i < words; i++) {
-    if (i >= count) bits[i] += bits[i - count];
-    values[i % count * 3 + Math.floor(i / count)] = halfValue(bits[i]) * scale;
+}
+
+// Red, green, blue, pixel by pixel.
+async function unpacked({ exponent, guess, data }, width) {
+  const bytes = await inflated(data);
+  const length = bytes.length / 2, count = length / 3, scale = 2 ** -exponent;
+  const values = new Float64Array(length), words = new Uint16Array(length);
+  for (let i = 0; i < length; i++) words[i] = bytes[i] << 8 | bytes[length + i];
+  if (guess !== "none") restore(words, width, guess);
+  for (let i = 0; i < length; i++) {
+    if (i >= count) words[i] += words[i - count];
+    values[i % count * 3 + Math.floor(i / count)] = halfValue(words[i]) * scale;
   }
   return values;
 }
 
-// A layer: { light, type, ours, edge, theirs: [{ title, theirs, difference, allowed, ... }] }.
+// Whether a reference says anything of a pixel: a closed form may not.
+const covers = (theirs, i) => !theirs.known || theirs.known[i] === 1;
+
+// A layer: { light, type, ours, edge, theirs: [{ title, values, difference, allowed, known, ... }] }.
 async function unpackedLayer(raw, ours, differenceOf) {
   const theirs = await Promise.all(raw.theirs.map(async (each, r) => {
     const packed = await differenceOf(r);
@@ -41,7 +52,7 @@ async function unpackedLayer(raw, ours, differenceOf) {
       values[i] = Number.isFinite(ours[i]) ? ours[i] - packed[i] : -packed[i];
       difference[i] = Number.isFinite(ours[i]) ? packed[i] : NaN;
     }
-    return { ...each, values, difference };
+    return { ...each, values, difference, known: each.known && await inflated(each.known) };
   }));
   return { ...raw, ours, theirs, edge: await inflated(raw.edge), flags: await inflated(raw.flags) };
 }
@@ -58,7 +69,7 @@ function picturesOf(anchor) {
     const made = new Map();
     const once = (packed, place) => {
       const at = packed.same ?? place;
-      if (!made.has(at)) made.set(at, unpacked(packed));
+      if (!made.has(at)) made.set(at, unpacked(packed, raw.width));
       return made.get(at);
     };
     raw.layers = await Promise.all(raw.layers.map(async (layer, k) =>

@@ -13,6 +13,8 @@ const kScales = {
           under: [0, 0, 0], over: [255, 255, 255] },
 };
 const kNotFinite = [255, 0, 255];
+// Stripes where a reference says nothing.
+const unknownAt = (i, width) => (i % width + Math.floor(i / width)) % 6 < 3 ? [104, 104, 112] : [136, 136, 144];
 const kDecades = 6;  // of the logarithmic scale
 
 const scaleNow = (grey) => kScales[grey ? "grey" : kDark.matches ? "dark" : "light"];
@@ -66,10 +68,11 @@ function srgb(linear) {
   return Math.round(255 * (v <= 0.0031308 ? 12.92 * v : 1.055 * v ** (1 / 2.4) - 0.055));
 }
 
-// A picture as people see it, at 2^stops of its light.
-function paintedPicture(values, width, height, stops = 0) {
+// A picture as people see it, at 2^stops of its light. `covered` says where it says anything.
+function paintedPicture(values, width, height, stops = 0, covered = () => true) {
   const gain = 2 ** stops;
   return painted(width, height, (i) => {
+    if (!covered(i)) return unknownAt(i, width);
     const color = [0, 1, 2].map((c) => values[3 * i + c] * gain);
     return color.every((v) => !Number.isNaN(v)) && color.every(Number.isFinite)
       ? color.map(srgb) : kNotFinite;
@@ -80,6 +83,7 @@ function paintedPicture(values, width, height, stops = 0) {
 function paintedDifference(layer, theirs, width, height, kind = "share", grey = false) {
   const scale = scaleNow(grey), top = topOf(theirs.difference);
   return painted(width, height, (i) => {
+    if (!covers(theirs, i)) return unknownAt(i, width);
     const d = largestDifference(theirs.difference, i);
     if (Number.isNaN(d)) return kNotFinite;
     const position = scalePosition(d, kind, theirs.allowed[layer.edge[i] ? 1 : 0], top);
@@ -98,7 +102,7 @@ async function paintFigures(details) {
     const data = await picturesOf(scene), whole = data.layers[layer];
     const theirs = whole.theirs.find((each) => each.reference === reference);
     const made = show === "ours" ? paintedPicture(whole.ours, data.width, data.height)
-      : show === "theirs" ? paintedPicture(theirs.values, data.width, data.height)
+      : show === "theirs" ? paintedPicture(theirs.values, data.width, data.height, 0, (i) => covers(theirs, i))
       : paintedDifference(whole, theirs, data.width, data.height);
     const canvas = button.querySelector("canvas");
     canvas.getContext("2d").drawImage(made, 0, 0);

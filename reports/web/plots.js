@@ -22,8 +22,10 @@ const line = (x1, y1, x2, y2, name) => svg("line", { x1, y1, x2, y2, class: name
 function distribution(layer, theirs) {
   const first = -12, last = 1, bins = (last - first) * 4;
   const counts = [new Array(bins).fill(0), new Array(bins).fill(0)];
-  let equal = 0, bad = 0;
+  let equal = 0, bad = 0, covered = 0;
   for (let i = 0; i < layer.edge.length; i++) {
+    if (!covers(theirs, i)) continue;
+    covered++;
     const d = Math.abs(largestDifference(theirs.difference, i));
     if (Number.isNaN(d)) bad++;
     else if (d === 0) equal++;
@@ -33,7 +35,7 @@ function distribution(layer, theirs) {
   const x = (decade) => left + (decade - first) / (last - first) * (width - left - right);
   const most = Math.max(10, ...counts[0].map((n, i) => n + counts[1][i]));
   const y = (count) => floor - (count > 0 ? (Math.log10(count) + 0.3) / (Math.log10(most) + 0.3) : 0) * (floor - top);
-  const plot = frame(`${equal} of ${layer.edge.length} pixels are equal`);
+  const plot = frame(`${equal} of ${covered} pixels are equal`);
   for (let n = 1; n <= most; n *= 10) plot.append(line(left, y(n), width - right, y(n), "grid"), text(left - 4, y(n) + 3, n, "end"));
   for (let decade = first; decade <= last; decade += 3) plot.append(text(x(decade), height - 6, decade ? `1e${decade}` : "1"));
   for (let i = 0; i < bins; i++) {
@@ -44,9 +46,11 @@ function distribution(layer, theirs) {
   theirs.allowed.forEach((allowed, r) => {
     if (allowed > 0) plot.append(line(x(Math.log10(allowed)), top, x(Math.log10(allowed)), floor, r ? "allowed edge" : "allowed"));
   });
-  const note = `${equal.toLocaleString("en")} of ${layer.edge.length.toLocaleString("en")} pixels are equal` +
+  const others = layer.edge.length - covered;
+  const note = `${equal.toLocaleString("en")} of ${covered.toLocaleString("en")} pixels are equal` +
     (theirs.step > 0 ? ` to within ${short(theirs.step / 2)}` : "") +
-    (bad ? `, ${bad} not finite` : "");
+    (bad ? `, ${bad} not finite` : "") +
+    (others ? `; of ${others.toLocaleString("en")} others the ${theirs.title} says nothing` : "");
   return { plot, note };
 }
 
@@ -59,7 +63,8 @@ function scanLine(data, layer, theirs, [px, py], column) {
   const series = [];
   for (let t = 0; t < length; t++) {
     const i = index(t);
-    series.push([luminance(layer.ours, i), luminance(theirs.values, i), largestDifference(theirs.difference, i)]);
+    series.push([luminance(layer.ours, i), ...(covers(theirs, i)
+      ? [luminance(theirs.values, i), largestDifference(theirs.difference, i)] : [NaN, NaN])]);
   }
   const finite = (k) => series.map((s) => s[k]).filter(Number.isFinite);
   const { width, left, right, top } = kPlot, middle = 84, bottom = 150;

@@ -12,7 +12,7 @@ function termsOf(anchor) {
     for (const light of raw.lights) {
       light.gates = await inflated(light.gates);
       light.blockers = await inflated(light.blockers);
-      for (const term of light.terms) term.values = await unpacked(term);
+      for (const term of light.terms) term.values = await unpacked(term, raw.width);
     }
     return raw;
   })();

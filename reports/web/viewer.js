@@ -77,7 +77,7 @@ function pictureOf(show) {
   if (!painting.has(key)) {
     if (painting.size > 24) painting.clear();
     painting.set(key, show === "ours" ? paintedPicture(layerNow().ours, width, height, view.stops)
-      : show === "theirs" ? paintedPicture(theirs.values, width, height, view.stops)
+      : show === "theirs" ? paintedPicture(theirs.values, width, height, view.stops, (i) => covers(theirs, i))
       : paintedDifference(layerNow(), theirs, width, height, view.kind, view.grey));
   }
   return painting.get(key);
@@ -102,7 +102,7 @@ function drawSigns(context, pane) {
   for (let y = first[1]; y < last[1]; y++)
     for (let x = first[0]; x < last[0]; x++) {
       const d = largestDifference(theirsNow().difference, y * width + x);
-      if (!d) continue;
+      if (!d || !covers(theirsNow(), y * width + x)) continue;
       const cx = left + (x + 0.5) * zoom, cy = top + (y + 0.5) * zoom, arm = zoom / 6;
       context.moveTo(cx - arm, cy);
       context.lineTo(cx + arm, cy);
@@ -197,11 +197,14 @@ function regionsOf(bits = 0) {
   return [named[shadow] ?? "penumbra", bits & 8 ? "highlight" : ""].filter(Boolean);
 }
 
+const kNothing = ["–", "–", "–"];  // where the reference says nothing
+
 // The values of a pixel: of ours, theirs and their difference, all channels.
 function valuesAt([x, y]) {
   const i = y * view.data.width + x, of = (values) => values.slice(3 * i, 3 * i + 3);
-  const layer = layerNow(), theirs = theirsNow(), edge = layer.edge[i] ? 1 : 0;
-  return { ours: of(layer.ours), theirs: of(theirs.values), difference: of(theirs.difference),
+  const layer = layerNow(), theirs = theirsNow(), edge = layer.edge[i] ? 1 : 0, covered = covers(theirs, i);
+  return { ours: of(layer.ours), theirs: covered ? of(theirs.values) : kNothing, covered,
+           difference: covered ? of(theirs.difference) : kNothing,
            region: edge ? "edge" : ["interior", ...regionsOf(layer.flags[i])].join(", "), allowed: theirs.allowed[edge],
            largest: largestDifference(theirs.difference, i) };
 }
@@ -212,11 +215,12 @@ function writeReadout() {
   $("readout-values").replaceChildren(
     cells("litmus", at.ours, 4), cells(theirsNow().title, at.theirs, 4), cells("difference", at.difference, 3));
   const verdict = $("readout-share");
-  verdict.textContent = Number.isNaN(at.largest) ? "✗ not a finite value"
+  verdict.textContent = !at.covered ? `the ${theirsNow().title} says nothing of this pixel`
+    : Number.isNaN(at.largest) ? "✗ not a finite value"
     : !(at.allowed > 0) ? "" : share > 1 ? `✗ ${short(share)} times what is allowed (${short(at.allowed)})`
     : `✓ ${short(100 * share)} % of what is allowed (${short(at.allowed)})`;
-  verdict.className = Number.isNaN(at.largest) || share > 1 ? "bad" : "dim";
-  $("command").textContent = `litmus run ${view.data.word} --references ${theirsNow().source || "auto"}\n` +
+  verdict.className = at.covered && (Number.isNaN(at.largest) || share > 1) ? "bad" : "dim";
+  $("command").textContent = `litmus run ${view.data.word} ${theirsNow().source === "computed" ? "--with closed-form" : `--references ${theirsNow().source || "auto"}`}\n` +
     `litmus explain ${view.data.word} ${view.cursor.join(" ")}`;
   writeLights();
   writeEquation();
@@ -232,8 +236,8 @@ function writeLights() {
     if (!theirs) return [];
     const size = (c) => Math.abs(theirs.difference[c]);
     const at = [3 * i, 3 * i + 1, 3 * i + 2].reduce((a, b) => size(b) > size(a) || Number.isNaN(size(b)) ? b : a);
-    const over = !(size(at) <= theirs.allowed[layer.edge[i] ? 1 : 0]);
-    const row = cells("", [layer.ours[at], theirs.values[at], theirs.difference[at]], 3);
+    const covered = covers(theirs, i), over = covered && !(size(at) <= theirs.allowed[layer.edge[i] ? 1 : 0]);
+    const row = cells("", [layer.ours[at], ...(covered ? [theirs.values[at], theirs.difference[at]] : ["–", "–"])], 3);
     const choose = Object.assign(document.createElement("button"), { type: "button", className: "plain", textContent: titleOf(layer) });
     choose.addEventListener("click", () => chooseLayer(k));
     row.firstChild.append(over ? "✗ " : "", choose);
@@ -269,6 +273,8 @@ function writeLegend() {
   $("legend-ramp").style.background = gradientOf(scale);
   for (const cap of [$("legend-under"), $("legend-over")]) cap.hidden = view.kind !== "share";
   const theirs = theirsNow(), top = topOf(theirs.difference);
+  $("stripes").hidden = !theirs.known || view.show === "ours";
+  $("stripes").textContent = `striped: the ${theirs.title} says nothing there`;
   const ticks = view.kind === "share"
     ? [-1, -0.25, -0.04, 0, 0.04, 0.25, 1].map((s) => [Math.sign(s) * Math.sqrt(Math.abs(s)), s * theirs.allowed[0]])
     : [-6, -4, -2, 0, 2, 4, 6].map((n) => [n / kDecades, n ? Math.sign(n) * top * 10 ** (Math.abs(n) - kDecades) : 0]);

@@ -170,9 +170,9 @@ TEST_F(PageInABrowser, ReadsThePixelsOfTheStoredImages) {
   const json wanted{{one.width / 2, one.height / 2}, {one.width / 3, one.height / 3}, {5, 7}};
   const json seen = seen_on(html(study), wanted);
   ASSERT_THAT(seen["errors"], IsEmpty());
-  ASSERT_EQ(seen["pixels"].size(), one.layers.size() * one.references.size() * wanted.size());
+  ASSERT_EQ(seen["pixels"].size(), one.layers.size() * (one.references.size() + 1) * wanted.size());
   double largest = 0;
-  int sums = 0;
+  int sums = 0, closed_forms = 0;
   for (const json& pixel : seen["pixels"]) {
     const std::size_t k = pixel["layer"], r = pixel["reference"];
     const int x = pixel["at"][0], y = pixel["at"][1];
@@ -184,6 +184,14 @@ TEST_F(PageInABrowser, ReadsThePixelsOfTheStoredImages) {
       const double said = sum[sum.size() == 1 ? 0 : c], is = ours[int(c)];
       EXPECT_NEAR(said, is, 5e-3 * is) << "three digits are shown";
       sums += is > 0;
+    }
+    if (r == one.references.size()) {
+      EXPECT_EQ(pixel["shown"], "closed form");
+      const glm::dvec3 exact = one.layers[k].exact.picture.at(x, y);
+      for (int c = 0; c < 3; ++c)
+        EXPECT_NEAR(pixel["values"][1][c].get<double>(), exact[c], kHalf * ours[c] + 1e-12);
+      ++closed_forms;
+      continue;
     }
     // Light by light, the channel that differs most.
     ASSERT_EQ(pixel["lights"].size(), one.layers.size());
@@ -208,6 +216,7 @@ TEST_F(PageInABrowser, ReadsThePixelsOfTheStoredImages) {
     }
   }
   EXPECT_GT(sums, 0) << "else no equation was read";
+  EXPECT_GT(closed_forms, 0) << "else no closed form was read";
   EXPECT_GT(largest, 0.1) << "else only black was read";
 }
 
@@ -215,6 +224,17 @@ TEST_F(PageInABrowser, FlipsZoomsPinsAndRestoresAView) {
   const Study study = stored_study("s10-spot-shadow");
   const json seen = seen_on(html(study), {{60, 40}, {30, 20}});
   EXPECT_THAT(seen["errors"], IsEmpty());
+  // Of the ball's surface the closed form of this scene says nothing.
+  const Case& one = study.cases[0];
+  int silent = 0;
+  for (const json& pixel : seen["pixels"]) {
+    const std::size_t i =
+        std::size_t(pixel["at"][1]) * std::size_t(one.width) + std::size_t(pixel["at"][0]);
+    const bool covered = pixel["shown"] != "closed form" || one.layers[0].exact.known[i] == 1;
+    EXPECT_EQ(pixel["share"] == "the closed form says nothing of this pixel", !covered);
+    silent += !covered;
+  }
+  EXPECT_EQ(silent, int(one.layers.size())) << "one pixel of each layer";
   EXPECT_TRUE(seen["painted"]);
   EXPECT_TRUE(seen["opened"]);
   EXPECT_EQ(seen["flips"], json({"show-ours", "show-theirs", "show-difference", "show-theirs",

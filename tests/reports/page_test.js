@@ -59,10 +59,15 @@ addEventListener("load", async () => {
           point("pointermove", at);
           await until(() => byId("equation").dataset.at === [view.anchor, ...at].join());
           seen.pixels.push({ layer, reference, at, said: byId("readout-at").textContent, values: values(),
+                             share: byId("readout-share").textContent, shown: byId("reference").selectedOptions[0].text,
                              sum: byId("equation").hidden ? "" : byId("equation-lines").lastChild.textContent,
                              lights: [...byId("light-rows").rows].map((row) => Number(row.cells[3].title)) });
         }
       }
+
+    byId("reference").value = 0;
+    byId("reference").dispatchEvent(new Event("change"));
+    await pause();
 
     // Zoom and pan, pin, expose.
     const before = zoomed();
