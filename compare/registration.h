@@ -40,7 +40,8 @@ struct Registration {
 /// anyway, as by quantisation.
 ///
 /// Not determined where the pictures are constant, change in one direction only, or in a way that a
-/// gain and an offset do as well (a ramp), and where sizes differ.
+/// gain and an offset do as well (a ramp), where no shift is found but all that changes are creases
+/// between flat pieces (facets, which look the same wherever they are), and where sizes differ.
 Registration registration(const Picture& ours, const Picture& theirs,
                           std::span<const std::uint8_t> edge = {}, double noise = 0);
 

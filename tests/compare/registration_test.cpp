@@ -139,6 +139,19 @@ TEST(Registration, IsNotDeterminedByPicturesThatDoNotSay) {
   EXPECT_EQ(unregistered(stripes), "");
 }
 
+TEST(Registration, CannotTellFromFlatFacets) {
+  // Each of 8 x 8 pixels: half a pixel moves no pixel's centre out of most of them.
+  const Field facets = [](double x, double y) {
+    const double column = std::floor((x + 0.3) / 8), row = std::floor((y + 0.3) / 8);
+    return glm::dvec3(0.5 + 0.4 * std::sin(1.7 * column + 0.9 * row));
+  };
+  for (const double shift : {0.0, 0.2}) {
+    const Registration r = registration(picture_of(facets, shift, 0), picture_of(facets));
+    EXPECT_FALSE(r.determined) << shift;
+    EXPECT_THAT(r.why, HasSubstr("creases between flat pieces")) << shift;
+  }
+}
+
 TEST(Registration, IsNotDeterminedBetweenSizesOrWithoutSmoothPixels) {
   EXPECT_THAT(registration(picture_of(pools), picture_of(pools, 0, 0, 96, 71)).why,
               HasSubstr("differ in size"));

@@ -68,6 +68,15 @@ TEST(Align, DoesNotTakeAMovedLampForAShiftWhereNoOutlineTells) {
   EXPECT_EQ(found.dx, 0);
 }
 
+TEST(Align, CannotTellWhereFlatFacetsAreAllThereIs) {
+  const Scene scene = load_scene(find_scene("d9"));
+  RenderOptions options;
+  options.shift_x = 0.5;
+  const Registration found = against_the_right_one(scene, options, scene);
+  EXPECT_FALSE(found.determined);
+  EXPECT_THAT(found.why, HasSubstr("creases between flat pieces"));
+}
+
 TEST(Align, DoesNotTakeAMovedLampForAShiftWhereOutlinesStay) {
   const Scene right = load_scene(find_scene("v5"));
   Scene moved = right;

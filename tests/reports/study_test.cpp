@@ -166,11 +166,12 @@ TEST(Agreement, IsOfCamerasToo) {
       const Registration& found = reference.registration;
       if (!found.determined) continue;
       ++determined;
-      // p9 is a floor so evenly lit that Blender's rounding shows as 1.5e-3 px.
-      const double much = entry.scene == "p9-far" ? 4 : 1;
-      EXPECT_LT(std::hypot(found.dx, found.dy), much * 1e-3)
+      // A renderer's rounding shows as a shift on a floor that is lit evenly.
+      const double unsure = 5 * found.uncertainty;
+      EXPECT_LT(std::hypot(found.dx, found.dy), std::max(5e-4, unsure))
           << entry.scene << ", " << reference.reference;
-      EXPECT_NEAR(found.scale, 1, much * 1e-5) << entry.scene << ", " << reference.reference;
+      EXPECT_NEAR(found.scale, 1, std::max(1e-5, unsure / (entry.width / 4)))
+          << entry.scene << ", " << reference.reference;
     }
   }
   EXPECT_GE(determined, 50);
@@ -257,8 +258,7 @@ TEST(NegativeControl, OfHalfAPixelIsUnregisteredWhereverTheSceneTells) {
   for (const Case& entry : study.cases) {
     for (const CaseReference& reference : entry.references) {
       const Registration& found = reference.registration;
-      // The facets of d9 are flat: inside them nothing moves.
-      if (!found.determined || entry.scene == "d9-terminator-mesh") continue;
+      if (!found.determined) continue;
       called.insert(entry.scene + " " + reference.reference);
       EXPECT_NEAR(found.dx, -0.5, 0.01) << entry.scene;
       EXPECT_NEAR(found.dy, 0, 0.01) << entry.scene;

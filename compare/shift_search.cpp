@@ -1,0 +1,119 @@
+// shift_search.cpp: correlation of whole pixels, then Lucas and Kanade's steps.
+#include "compare/shift_search.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "compare/registration.h"
+#include "compare/smooth_pieces.h"
+
+namespace litmus {
+namespace {
+
+constexpr int kMostSteps = 30;
+
+std::vector<ShiftObservation> observe(const PicturePair& pair, const Warp& warp) {
+  const Picture& ours = pair.ours;
+  const double middle_x = (ours.width - 1) / 2.0, middle_y = (ours.height - 1) / 2.0;
+  std::vector<ShiftObservation> result;
+  for (int y = 0; y < ours.height; y += pair.stride) {
+    for (int x = 0; x < ours.width; x += pair.stride) {
+      const double u = x - middle_x, v = y - middle_y;
+      const double at_x = middle_x + warp.scale * u + warp.dx;
+      const double at_y = middle_y + warp.scale * v + warp.dy;
+      if (!(at_x >= 0 && at_x < ours.width - 0.5 && at_y >= 0 && at_y < ours.height - 0.5))
+        continue;
+      const auto nearest =
+          std::size_t(std::lround(at_y)) * std::size_t(ours.width) + std::size_t(std::lround(at_x));
+      const glm::dvec3& other = pair.theirs.at(x, y);
+      if (!pair.smooth[nearest] || !is_finite(other)) continue;
+      const PlacedSample own = sample_at(ours, at_x, at_y);
+      ShiftObservation& seen = result.emplace_back();
+      seen.pixel = std::size_t(y) * std::size_t(ours.width) + std::size_t(x);
+      for (int c = 0; c < 3; ++c)
+        seen.channels[std::size_t(c)] = {1,
+                                         other[c],
+                                         own.along_x[c],
+                                         own.along_y[c],
+                                         own.along_x[c] * u + own.along_y[c] * v,
+                                         own.value[c] - other[c]};
+    }
+  }
+  return result;
+}
+
+double grey(const glm::dvec3& v) { return (v.x + v.y + v.z) / 3; }
+
+/// The correlation of theirs with ours moved by whole pixels, which no gain or offset changes.
+double correlation(const PicturePair& pair, int dx, int dy) {
+  const Picture &ours = pair.ours, &theirs = pair.theirs;
+  double n = 0, a = 0, b = 0, aa = 0, bb = 0, ab = 0;
+  for (int y = std::max(0, -dy); y < ours.height - std::max(0, dy); y += pair.stride)
+    for (int x = std::max(0, -dx); x < ours.width - std::max(0, dx); x += pair.stride) {
+      const double p = grey(ours.at(x + dx, y + dy)), q = grey(theirs.at(x, y));
+      if (!std::isfinite(p) || !std::isfinite(q)) continue;
+      n += 1, a += p, b += q, aa += p * p, bb += q * q, ab += p * q;
+    }
+  const double spread = (aa - a * a / n) * (bb - b * b / n);
+  return spread > 0 ? (ab - a * b / n) / std::sqrt(spread) : 0;
+}
+
+Warp best_whole_pixel(const PicturePair& pair) {
+  const int reach = std::min({kLargestSearch, pair.ours.width / 4, pair.ours.height / 4});
+  Warp best;
+  double largest = correlation(pair, 0, 0);
+  for (int dy = -reach; dy <= reach; ++dy)
+    for (int dx = -reach; dx <= reach; ++dx)
+      if (const double c = correlation(pair, dx, dy); c > largest + 1e-9) {
+        largest = c;
+        best.dx = dx, best.dy = dy;
+      }
+  return best;
+}
+
+}  // namespace
+
+ShiftFit refine(const PicturePair& pair, const Warp& start, std::size_t count) {
+  ShiftFit fit{start, {}, {}, false};
+  for (int i = 0; i < kMostSteps; ++i) {
+    fit.seen = observe(pair, fit.warp);
+    if (fit.seen.size() < kFewestPixels) return fit;
+    if (i == 0) fit.normal = shift_equations(fit.seen);
+    reweigh(fit.seen, fit.normal, pair.noise);
+    fit.normal = shift_equations(fit.seen);
+    const auto change = shift_step(fit.normal, count);
+    if (!change) return fit;
+    const auto [x, y, scale] = *change;
+    // Pixels that join or leave at a smooth piece's border may keep the steps from vanishing.
+    fit.converged = std::hypot(x, y) < 1e-4 && std::fabs(scale) < 1e-5;
+    if (std::hypot(x, y) < 1e-6 && std::fabs(scale) < 1e-8) return fit;
+    const double shorten = std::min(1.0, 0.7 / std::max(std::hypot(x, y), 1e-30));
+    fit.warp.dx += shorten * x, fit.warp.dy += shorten * y, fit.warp.scale += shorten * scale;
+    const bool ran_away = std::hypot(fit.warp.dx - start.dx, fit.warp.dy - start.dy) > 3 ||
+                          std::fabs(fit.warp.scale - 1) > 0.2;
+    if (ran_away) break;
+  }
+  return fit;
+}
+
+ShiftFit best_fit(const PicturePair& pair) {
+  ShiftFit here = refine(pair, {}, 2);
+  const double good = 300 * std::max(pair.noise * pair.noise, kFloatNoise * kFloatNoise);
+  if (here.converged && here.mean_error() <= good) return here;
+  const Warp start = best_whole_pixel(pair);
+  if (start.dx == 0 && start.dy == 0) return here;
+  ShiftFit there = refine(pair, start, 2);
+  if (!there.converged || (here.converged && here.mean_error() <= there.mean_error())) return here;
+  return there;
+}
+
+double error_before(const PicturePair& pair, const ShiftFit& fit) {
+  std::vector<ShiftObservation> seen = observe(pair, {});
+  std::vector<double> weights(pair.theirs.pixels.size());
+  for (const ShiftObservation& one : fit.seen) weights[one.pixel] = one.weight;
+  for (ShiftObservation& one : seen) one.weight = weights[one.pixel];
+  const ShiftEquations normal = shift_equations(seen);
+  return normal.weight > 0 ? normal.error() / normal.weight : 0;
+}
+
+}  // namespace litmus
