@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <future>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <vector>
@@ -19,6 +20,7 @@ using nlohmann::ordered_json;
 
 // Differences are kept to this part of the tolerance where a row of the scene fails, else to that.
 constexpr double kStepsOfFailures = 256, kStepsOfPasses = 32;
+constexpr double kStepsOfLargest = 64;  // Detail::Coarse
 
 ordered_json packed_json(const PackedPicture& picture) {
   return {
@@ -34,8 +36,16 @@ const Comparison* row_of(const std::vector<Comparison>& rows, const Case& one,
   return nullptr;
 }
 
+double largest(const Picture& difference) {
+  double most = 0;
+  for (const glm::dvec3& pixel : difference.pixels)
+    for (int c = 0; c < 3; ++c)
+      if (std::isfinite(pixel[c])) most = std::max(most, std::abs(pixel[c]));
+  return most;
+}
+
 ordered_json theirs_json(const Study& study, const Case& one, const CaseLayer& layer,
-                         const CaseLayer::Theirs& theirs, bool judged) {
+                         const CaseLayer::Theirs& theirs, bool judged, Detail detail) {
   const std::vector<Comparison>& rows = judged ? study.comparisons : study.informative;
   ordered_json result{{"reference", clean_text(theirs.reference)},
                       {"title", clean_text(reference_title(theirs.reference))},
@@ -51,25 +61,30 @@ ordered_json theirs_json(const Study& study, const Case& one, const CaseLayer& l
   const bool fails =
       tally(study, [&](const Comparison& row) { return row.scene == one.scene; }).failed > 0;
   const double steps = fails ? kStepsOfFailures : kStepsOfPasses;
-  const double step = inside > 0 ? std::exp2(std::floor(std::log2(inside / steps))) : 0;
+  double finest = inside / steps;
+  const Picture difference = packed_difference(layer.ours, theirs.picture);
+  if (detail == Detail::Coarse) finest = std::max(finest, largest(difference) / kStepsOfLargest);
+  const double step = finest > 0 ? std::exp2(std::floor(std::log2(finest))) : 0;
   result["step"] = step;
-  result["difference"] = packed_json(packed(packed_difference(layer.ours, theirs.picture), step));
+  result["difference"] = packed_json(packed(difference, step));
   return result;
 }
 
 // What closed forms say of a layer, as one more reference. Where they say nothing the difference is
 // 0, and so is `known`, which is left out where they say something of all pixels.
-ordered_json exact_json(const Study& study, const Case& one, const CaseLayer& layer) {
+ordered_json exact_json(const Study& study, const Case& one, const CaseLayer& layer,
+                        Detail detail) {
   CaseLayer::Theirs theirs{kClosedForm, "computed", layer.exact.picture};
   for (std::size_t i = 0; i < theirs.picture.pixels.size(); ++i)
     if (!layer.exact.known[i]) theirs.picture.pixels[i] = layer.ours.pixels[i];
-  ordered_json result = theirs_json(study, one, layer, theirs, true);
+  ordered_json result = theirs_json(study, one, layer, theirs, true, detail);
   const std::string known(layer.exact.known.begin(), layer.exact.known.end());
   if (known.find('\0') != std::string::npos) result["known"] = deflated(known);
   return result;
 }
 
-ordered_json layer_json(const Study& study, const Case& one, const CaseLayer& layer) {
+ordered_json layer_json(const Study& study, const Case& one, const CaseLayer& layer,
+                        Detail detail) {
   const std::string edge(layer.edge.begin(), layer.edge.end());
   const std::string flags(layer.flags.begin(), layer.flags.end());
   ordered_json result{{"light", clean_text(layer.light)},
@@ -80,12 +95,12 @@ ordered_json layer_json(const Study& study, const Case& one, const CaseLayer& la
                       {"theirs", ordered_json::array()}};
   for (const CaseLayer::Theirs& theirs : layer.theirs)
     if (same_size(layer.ours, theirs.picture))
-      result["theirs"].push_back(theirs_json(study, one, layer, theirs, true));
+      result["theirs"].push_back(theirs_json(study, one, layer, theirs, true, detail));
   if (same_size(layer.ours, layer.exact.picture))
-    result["theirs"].push_back(exact_json(study, one, layer));
+    result["theirs"].push_back(exact_json(study, one, layer, detail));
   for (const CaseLayer::Theirs& theirs : layer.aside)
     if (same_size(layer.ours, theirs.picture))
-      result["theirs"].push_back(theirs_json(study, one, layer, theirs, false));
+      result["theirs"].push_back(theirs_json(study, one, layer, theirs, false, detail));
   return result;
 }
 
@@ -135,16 +150,38 @@ std::string scene_word(const Case& one) {
   return shell_word(canonical || one.file.empty() ? one.scene : one.file);
 }
 
-std::string pictures_json(const Study& study, const Case& one) {
+std::string pictures_json(const Study& study, const Case& one, Detail detail) {
   ordered_json result{{"scene", clean_text(one.scene)},
                       {"word", scene_word(one)},
                       {"width", one.width},
                       {"height", one.height},
                       {"layers", ordered_json::array()}};
   for (const CaseLayer& layer : one.layers)
-    result["layers"].push_back(layer_json(study, one, layer));
+    result["layers"].push_back(layer_json(study, one, layer, detail));
   name_repeated(result["layers"]);
   return result.dump();
+}
+
+std::vector<std::string> pictures_within(const Study& study, std::size_t budget) {
+  // All scenes at the same time: packing them takes most of the page's time.
+  std::vector<std::future<std::string>> running;
+  for (const Case& one : study.cases)
+    running.push_back(
+        std::async(std::launch::async, [&study, &one] { return pictures_json(study, one); }));
+  std::vector<std::string> pictures;
+  std::size_t total = 0;
+  for (auto& each : running) total += pictures.emplace_back(each.get()).size();
+  const std::vector<const Case*> worst_first = cases_by_verdict(study);
+  for (auto one = worst_first.rbegin(); one != worst_first.rend() && total > budget; ++one) {
+    const bool fails =
+        tally(study, [&](const Comparison& row) { return row.scene == (*one)->scene; }).failed > 0;
+    if (!fails) continue;
+    std::string& picture = pictures[std::size_t(*one - study.cases.data())];
+    total -= picture.size();
+    picture = pictures_json(study, **one, Detail::Coarse);
+    total += picture.size();
+  }
+  return pictures;
 }
 
 }  // namespace litmus

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <future>
 #include <kainjow/mustache.hpp>
 #include <stdexcept>
 
@@ -103,23 +102,14 @@ data figures_data(const std::vector<GalleryFigure>& list) {
   return figures;
 }
 
-// All scenes' pictures at the same time: packing them takes most of the page's time.
-std::vector<std::future<std::string>> packed_pictures(const Study& study) {
-  std::vector<std::future<std::string>> running;
-  for (const Case& one : study.cases)
-    running.push_back(std::async(
-        std::launch::async, [&study, &one] { return script_safe(pictures_json(study, one)); }));
-  return running;
-}
-
-// The equation of every pixel, for as many scenes as there is room for.
-std::string terms_elements(const Study& study, std::size_t room) {
-  const std::vector<std::string> terms = explained_cases(study, room);
+// Elements that hold JSON, one for each case that has any.
+std::string json_elements(const Study& study, std::string_view kind,
+                          const std::vector<std::string>& texts) {
   std::string elements;
-  for (std::size_t i = 0; i < terms.size(); ++i)
-    if (!terms[i].empty())
-      elements += fmt::format("<script type=\"application/json\" id=\"terms-{}\">{}</script>\n",
-                              case_anchor(study, study.cases[i]), script_safe(terms[i]));
+  for (std::size_t i = 0; i < texts.size(); ++i)
+    if (!texts[i].empty())
+      elements += fmt::format("<script type=\"application/json\" id=\"{}-{}\">{}</script>\n", kind,
+                              case_anchor(study, study.cases[i]), script_safe(texts[i]));
   return elements;
 }
 
@@ -150,7 +140,6 @@ data page_data(const Study& study, const std::vector<PageLink>& beside) {
   page.set("any_failed", flag(all.failed > 0));
   page.set("any_skipped", flag(all.skipped > 0));
   page.set("beside", links_data(beside));
-  std::vector<std::future<std::string>> pictures = packed_pictures(study);
   data tiles{data::type::list}, cases{data::type::list};
   for (const std::string& reference : references_of(study))
     tiles.push_back(reference_tile(study, reference));
@@ -161,7 +150,6 @@ data page_data(const Study& study, const std::vector<PageLink>& beside) {
     const bool open = rows.failed > 0 && opened++ < kOpened;
     data shown = case_data(study, *one, open);
     shown.set("lines", matrix_lines(study, *one));
-    shown.set("pictures", pictures[std::size_t(one - study.cases.data())].get());
     const std::string inside = case_html(study, *one);
     shown.set("inside", open ? inside : "");
     shown.set("folded", open ? flag(false) : data(deflated(inside)));
@@ -210,8 +198,15 @@ std::string html(const Study& study, const std::vector<PageLink>& beside) {
   kainjow::mustache::mustache page{std::string(kPageTemplate)};
   if (!page.is_valid()) throw std::logic_error("page.html: " + page.error_message());
   std::string text = page.render(page_data(study, beside));
-  const std::string terms = terms_elements(study, kMostBytes - std::min(kMostBytes, text.size()));
-  return text.insert(text.rfind("</body>"), terms);
+  // The pictures, then the equation of every pixel for as many scenes as there is room for. The
+  // page answers before it has read them.
+  const auto add = [&](std::string_view kind, const auto& texts_within) {
+    const std::size_t room = kMostBytes - std::min(kMostBytes, text.size());
+    text.insert(text.rfind("</body>"), json_elements(study, kind, texts_within(study, room)));
+  };
+  add("data", pictures_within);
+  add("terms", explained_cases);
+  return text;
 }
 
 void write_html(const Study& study, const std::filesystem::path& file) {

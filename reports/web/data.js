@@ -57,14 +57,19 @@ async function unpackedLayer(raw, ours, differenceOf) {
   return { ...raw, ours, theirs, edge: await inflated(raw.edge), flags: await inflated(raw.flags) };
 }
 
+// The pictures stand behind this script, so that the page answers before it has read them.
+const wholePage = new Promise((resolve) =>
+  document.readyState === "loading" ? addEventListener("DOMContentLoaded", resolve) : resolve());
+
 const opened = new Map();  // id of a scene's element -> promise of its pictures
 
 // The pictures of the scene with that anchor ("s3").
 function picturesOf(anchor) {
   if (opened.has(anchor)) return opened.get(anchor);
-  const element = document.getElementById("data-" + anchor);
-  if (!element) return Promise.reject(new Error("no pictures of " + anchor));
   const promise = (async () => {
+    await wholePage;
+    const element = document.getElementById("data-" + anchor);
+    if (!element) throw new Error("no pictures of " + anchor);
     const raw = JSON.parse(element.textContent);
     const made = new Map();
     const once = (packed, place) => {

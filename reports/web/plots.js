@@ -18,9 +18,9 @@ const text = (x, y, string, anchor = "middle") =>
 const line = (x1, y1, x2, y2, name) => svg("line", { x1, y1, x2, y2, class: name });
 
 // How many pixels differ by how much: logarithmic both ways, a bar per quarter of a decade. Edge
-// pixels are hatched; lines show what is allowed.
+// pixels are hatched; lines show what is allowed. Closed forms are held to less than renderers.
 function distribution(layer, theirs) {
-  const first = -12, last = 1, bins = (last - first) * 4;
+  const first = theirs.allowed[0] > 0 && theirs.allowed[0] < 1e-11 ? -18 : -12, last = 1, bins = (last - first) * 4;
   const counts = [new Array(bins).fill(0), new Array(bins).fill(0)];
   let equal = 0, bad = 0, covered = 0;
   for (let i = 0; i < layer.edge.length; i++) {

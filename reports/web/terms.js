@@ -5,8 +5,10 @@ const explained = new Map();  // anchor of a scene -> promise of its terms
 
 function termsOf(anchor) {
   if (explained.has(anchor)) return explained.get(anchor);
-  const element = document.getElementById("terms-" + anchor);
-  const promise = !element ? Promise.resolve(null) : (async () => {
+  const promise = (async () => {
+    await wholePage;
+    const element = document.getElementById("terms-" + anchor);
+    if (!element) return null;
     const raw = JSON.parse(element.textContent);
     raw.seen = await inflated(raw.seen);
     for (const light of raw.lights) {

@@ -219,6 +219,8 @@ function writeReadout() {
     : Number.isNaN(at.largest) ? "✗ not a finite value"
     : !(at.allowed > 0) ? "" : share > 1 ? `✗ ${short(share)} times what is allowed (${short(at.allowed)})`
     : `✓ ${short(100 * share)} % of what is allowed (${short(at.allowed)})`;
+  if (at.covered && theirsNow().step > at.allowed / 16)
+    verdict.textContent += `; this file keeps it to ±${short(theirsNow().step / 2)}`;
   verdict.className = at.covered && (Number.isNaN(at.largest) || share > 1) ? "bad" : "dim";
   $("command").textContent = `litmus run ${view.data.word} ${theirsNow().source === "computed" ? "--with closed-form" : `--references ${theirsNow().source || "auto"}`}\n` +
     `litmus explain ${view.data.word} ${view.cursor.join(" ")}`;

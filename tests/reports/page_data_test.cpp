@@ -40,5 +40,20 @@ TEST(PicturesJson, NamesAPictureThatItHasShownBefore) {
   EXPECT_TRUE(json["layers"][0]["ours"].contains("data"));
 }
 
+TEST(PicturesWithin, MakesFailingScenesCoarseWhereRoomIsShort) {
+  const Study study = mixed_study();
+  const auto full = pictures_within(study, std::size_t(-1)), least = pictures_within(study, 0);
+  for (std::size_t i = 0; i < study.cases.size(); ++i) {
+    EXPECT_EQ(full[i], pictures_json(study, study.cases[i]));
+    const std::string& scene = study.cases[i].scene;
+    if (scene == "r1-failing") {
+      EXPECT_LT(least[i].size(), full[i].size());
+    }
+    if (scene == "d1-sun-floor") {
+      EXPECT_EQ(least[i], full[i]) << "a scene that passes keeps what it has";
+    }
+  }
+}
+
 }  // namespace
 }  // namespace litmus
