@@ -26,6 +26,11 @@ constexpr double kOpacity =
     0.5;  // of the screen: half of what it takes off, half of what is behind
 constexpr double kScreen = 0.01;        // its distance; POV-Ray sees nothing nearer than 1e-4
 constexpr int kProcessesPerThread = 4;  // a process sleeps most of its time
+// What it says where a busy machine has not started its threads within the time that it allows
+// (vfeInitializeTimedOut of vfe/vfesession.h, 3.7): nothing has been read then, let alone traced,
+// so that it is started once more.
+constexpr std::string_view kNotStarted = "Timed out waiting for worker thread startup";
+constexpr int kMostStarts = 5;
 
 std::size_t frames(const Scene& scene) { return scene.lights.size() + 1; }
 
@@ -62,6 +67,11 @@ std::string povray_source(const Scene& scene) {
 // As in "POV-Ray 3.7.0.10.unofficial".
 std::optional<Installation> find_povray() { return find_installation("povray", "POV-Ray "); }
 
+bool never_started(const ProcessResult& result, const fs::path& log) {
+  return result.outcome == Outcome::Exited && result.code != 0 &&
+         read_text(log).find(kNotStarted) != std::string::npos;
+}
+
 // One run of POV-Ray in the scene's folder. Throws std::runtime_error if it failed.
 struct Pass {
   std::string command;
@@ -73,10 +83,13 @@ Pass run_pass(const Installation& povray, const fs::path& folder, const std::str
   arguments.push_back(fmt::format("+WT{}", threads));
   Pass pass{fmt::format("povray {}", fmt::join(arguments, " ")), folder / (stem + ".log")};
   arguments.insert(arguments.begin(), povray.program.string());
-  const ProcessResult result = run_process({.arguments = arguments,
-                                            .directory = folder,
-                                            .log = pass.log,
-                                            .time_limit = options.time_limit});
+  const Command command{.arguments = arguments,
+                        .directory = folder,
+                        .log = pass.log,
+                        .time_limit = options.time_limit};
+  ProcessResult result = run_process(command);
+  for (int starts = 1; starts < kMostStarts && never_started(result, pass.log); ++starts)
+    result = run_process(command);
   if (!result.ok())
     throw std::runtime_error(fmt::format("{} ({})", result.explanation, pass.command));
   return pass;

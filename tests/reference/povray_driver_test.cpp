@@ -1,11 +1,15 @@
 // povray_driver_test.cpp: what POV-Ray renders against closed forms. Needs POV-Ray, else skips.
 #include "reference/povray_driver.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <glm/geometric.hpp>
+#include <iterator>
 #include <map>
 
 #include "compare/image_io.h"
@@ -209,6 +213,47 @@ TEST_F(PovrayLive, ReportsAProgramThatFails) {
                          [&](ReferenceResult r) { result = std::move(r); });
   EXPECT_THAT(result.failure, HasSubstr("exited with 1"));
   EXPECT_TRUE(result.layers.empty());
+}
+
+/// POV-Ray, but for `failures` starts that end with a line; and how often it was started.
+struct Reluctant {
+  std::filesystem::path folder;
+  Installation installation(const std::string& line, int failures) const {
+    const std::filesystem::path program = folder / "reluctant";
+    std::ofstream(program) << fmt::format(
+        "#!/bin/sh\necho start >> {0}/starts\n"
+        "[ $(wc -l < {0}/starts) -gt {1} ] && exec {2} \"$@\"\necho \"{3}\"; exit 1\n",
+        folder.string(), failures, povray()->program.string(), line);
+    std::filesystem::permissions(program, std::filesystem::perms::owner_all);
+    return {program, povray()->version};
+  }
+  int starts() const {
+    std::ifstream in(folder / "starts");
+    return int(std::count(std::istreambuf_iterator<char>(in), {}, '\n'));
+  }
+};
+
+TEST_F(PovrayLive, IsStartedAnewWhereABusyMachineDidNotStartItsThreads) {
+  const Reluctant reluctant{folder};
+  const Installation busy =
+      reluctant.installation("Timed out waiting for worker thread startup", 2);
+  const std::vector<Scene> scenes{povray_floor("floor")};
+  std::string failure = "none came";
+  povray_driver().render(busy, scenes, in(folder / "work"),
+                         [&](ReferenceResult result) { failure = result.failure; });
+  EXPECT_EQ(failure, "");
+  EXPECT_EQ(reluctant.starts(), 4) << "two in vain, then one for each pass";
+}
+
+TEST_F(PovrayLive, IsNotStartedAnewAfterAnyOtherFailure) {
+  const Reluctant reluctant{folder};
+  const Installation broken = reluctant.installation("Parse Error", 1);
+  const std::vector<Scene> scenes{povray_floor("floor")};
+  std::string failure;
+  povray_driver().render(broken, scenes, in(folder / "work"),
+                         [&](ReferenceResult result) { failure = result.failure; });
+  EXPECT_THAT(failure, HasSubstr("exited with 1"));
+  EXPECT_EQ(reluctant.starts(), 1);
 }
 
 TEST_F(PovrayLive, ReportsPicturesThatAreMissing) {
