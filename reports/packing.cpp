@@ -129,4 +129,17 @@ PackedPicture packed(const Picture& picture, double step) {
   return result;
 }
 
+Picture as_unpacked(const Picture& picture) {
+  const int exponent = exponent_for(picture);
+  Picture result = picture;
+  for (glm::dvec3& pixel : result.pixels)
+    for (int c = 0; c < 3; ++c) {
+      if (pixel[c] == 0 || !std::isfinite(pixel[c])) continue;
+      const int digit = std::max(std::ilogb(pixel[c]) + exponent, -14) - 10;  // of the last bit
+      pixel[c] =
+          std::ldexp(std::nearbyint(std::ldexp(pixel[c], exponent - digit)), digit - exponent);
+    }
+  return result;
+}
+
 }  // namespace litmus

@@ -44,4 +44,7 @@ struct PackedPicture {
 /// far below what anybody asks for does not pack.
 PackedPicture packed(const Picture& picture, double step = 0);
 
+/// What is left of the picture once it is packed and unpacked, without a step.
+Picture as_unpacked(const Picture& picture);
+
 }  // namespace litmus

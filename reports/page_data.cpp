@@ -8,6 +8,7 @@
 #include <future>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <vector>
 
 #include "compare/difference.h"
@@ -36,9 +37,9 @@ const Comparison* row_of(const std::vector<Comparison>& rows, const Case& one,
   return nullptr;
 }
 
-double largest(const Picture& difference) {
+double largest(const Picture& picture) {
   double most = 0;
-  for (const glm::dvec3& pixel : difference.pixels)
+  for (const glm::dvec3& pixel : picture.pixels)
     for (int c = 0; c < 3; ++c)
       if (std::isfinite(pixel[c])) most = std::max(most, std::abs(pixel[c]));
   return most;
@@ -120,6 +121,25 @@ void name_repeated(ordered_json& layers) {
   }
 }
 
+// Whether the whole is the sum of its parts as the page has them, to a half float's rounding.
+bool is_sum(std::span<const CaseLayer> layers) {
+  const Picture& whole = layers.back().ours;
+  Picture sum(whole.width, whole.height);
+  for (const CaseLayer& part : layers.first(layers.size() - 1)) {
+    const Picture known = as_unpacked(part.ours);
+    if (!same_size(known, sum)) return false;
+    for (std::size_t i = 0; i < sum.pixels.size(); ++i) sum.pixels[i] += known.pixels[i];
+  }
+  const double smallest = std::ldexp(largest(whole), -38);
+  for (std::size_t i = 0; i < sum.pixels.size(); ++i)
+    for (int c = 0; c < 3; ++c) {
+      const double is = whole.pixels[i][c];
+      if (!(std::abs(sum.pixels[i][c] - is) <= std::ldexp(std::abs(is), -11) + smallest))
+        return false;
+    }
+  return true;
+}
+
 }  // namespace
 
 Picture packed_difference(const Picture& ours, const Picture& theirs) {
@@ -159,6 +179,8 @@ std::string pictures_json(const Study& study, const Case& one, Detail detail) {
   for (const CaseLayer& layer : one.layers)
     result["layers"].push_back(layer_json(study, one, layer, detail));
   name_repeated(result["layers"]);
+  ordered_json& whole = result["layers"].back()["ours"];
+  if (whole.contains("data") && is_sum(one.layers)) whole = ordered_json{{"sum", true}};
   return result.dump();
 }
 

@@ -26,10 +26,10 @@ enum class Detail {
   Coarse,  ///< besides, to 1/64 of the largest in the picture
 };
 
-/// All pictures of a scene as JSON: ours for each layer, for each of its references the difference,
-/// what is allowed, the edges, and what the light does (kLit and so on). Closed forms that give
-/// pixels are one more reference, with the pixels that they are known at. reports/web/data.js reads
-/// it.
+/// All pictures of a scene as JSON: ours for each layer (the whole as the sum of the others, if it
+/// is), for each of its references the difference, what is allowed, the edges, and what the light
+/// does (kLit and so on). Closed forms that give pixels are one more reference, with the pixels
+/// that they are known at. reports/web/data.js reads it.
 std::string pictures_json(const Study& study, const Case& one, Detail detail = Detail::Full);
 
 /// pictures_json for each case in the study's order. Where that is more than `budget` bytes, the

@@ -40,6 +40,8 @@ async function unpacked({ exponent, guess, data }, width) {
   return values;
 }
 
+const sumOf = (pictures) => pictures[0].map((_, i) => pictures.reduce((sum, values) => sum + values[i], 0));
+
 // Whether a reference says anything of a pixel: a closed form may not.
 const covers = (theirs, i) => !theirs.known || theirs.known[i] === 1;
 
@@ -77,8 +79,10 @@ function picturesOf(anchor) {
       if (!made.has(at)) made.set(at, unpacked(packed, raw.width));
       return made.get(at);
     };
+    const parts = () => Promise.all(raw.layers.slice(0, -1).map(({ ours }, k) => once(ours, `${k}`)));
+    const oursOf = async (layer, k) => layer.ours.sum ? sumOf(await parts()) : once(layer.ours, `${k}`);
     raw.layers = await Promise.all(raw.layers.map(async (layer, k) =>
-      unpackedLayer(layer, await once(layer.ours, `${k}`),
+      unpackedLayer(layer, await oursOf(layer, k),
                     (r) => once(layer.theirs[r].difference, `${k},${r}`))));
     return raw;
   })();

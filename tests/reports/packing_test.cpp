@@ -40,5 +40,17 @@ TEST(HalfBits, AreTheNearestForEveryHalfAndBetween) {
   }
 }
 
+TEST(AsUnpacked, KeepsElevenBitsOfWhatIsNotFarBelowTheLargest) {
+  Picture picture(2, 1);
+  picture.at(0, 0) = {1.0 / 3, 40000, 0};
+  picture.at(1, 0) = {-1e-3, 1e-12, INFINITY};
+  const Picture left = as_unpacked(picture);
+  EXPECT_EQ(left.at(0, 0).x, half_value(half_bits(1.0 / 3)));
+  EXPECT_EQ(left.at(0, 0).y, half_value(half_bits(40000)));
+  EXPECT_EQ(left.at(1, 0).x, half_value(half_bits(-1e-3)));
+  EXPECT_EQ(left.at(1, 0).y, 0);
+  EXPECT_EQ(left.at(1, 0).z, INFINITY);
+}
+
 }  // namespace
 }  // namespace litmus

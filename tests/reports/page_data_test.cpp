@@ -40,6 +40,17 @@ TEST(PicturesJson, NamesAPictureThatItHasShownBefore) {
   EXPECT_TRUE(json["layers"][0]["ours"].contains("data"));
 }
 
+TEST(PicturesJson, HasTheWholeAsASumOnlyWhereItIsOne) {
+  Study study = passing_study();
+  Case& one = study.cases[0];
+  const auto whole = [&] {
+    return nlohmann::json::parse(pictures_json(study, one))["layers"].back()["ours"];
+  };
+  EXPECT_EQ(whole(), (nlohmann::json{{"sum", true}}));
+  one.layers.back().ours.at(20, 12).x *= 1.01;
+  EXPECT_TRUE(whole().contains("data"));
+}
+
 TEST(PicturesWithin, MakesFailingScenesCoarseWhereRoomIsShort) {
   const Study study = mixed_study();
   const auto full = pictures_within(study, std::size_t(-1)), least = pictures_within(study, 0);
