@@ -71,6 +71,7 @@ data failure_data(const Study& study, const Comparison& row) {
   data result;
   result.set("scene", text_data(row.scene));
   result.set("light", text_data(row.light == "all" ? "whole picture" : row.light));
+  result.set("type", row.light_type == row.light ? flag(false) : text_data(row.light_type));
   result.set("reference", text_data(reference_title(row.reference)));
   result.set("region", text_data(row.region));
   result.set("reason", text_data(row.reason));

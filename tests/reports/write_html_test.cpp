@@ -69,7 +69,8 @@ TEST(Page, ListsALightOnceAndAtMostTenOfThem) {
     add_case(study, {"scene-" + std::to_string(i), "key", "point", 3e-4, 3e-3}, 24, 16);
   const std::string alert = between(html(study), "<section class=\"alert\"", "</section>");
   EXPECT_EQ(count(alert, "<li>"), 10u);
-  EXPECT_THAT(alert, HasSubstr("and 1 row more"));
+  EXPECT_THAT(alert, HasSubstr("\u00b7 1 row more"));
+  EXPECT_THAT(alert, HasSubstr("key (point), Blender Cycles, interior"));
   EXPECT_THAT(alert, HasSubstr("and 3 lights more, in the table below"));
 }
 
