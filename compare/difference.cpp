@@ -62,12 +62,15 @@ void add(Difference& result, Sums& sums, const glm::dvec3& ours, const glm::dvec
   if (worst > tolerance) result.over.push_back({x, y, worst});
 }
 
-// The smallest value that at least the fraction p of all values do not exceed (nearest rank).
-double percentile(std::vector<double>& values, double p) {
+// The smallest value that at least the fraction p of all values do not exceed (nearest rank);
+// the first `within` are no greater than the rest, and hold it. Returns its rank.
+std::size_t percentile(std::vector<double>& values, std::size_t within, double p, double& value) {
   const double rank = std::ceil(p * double(values.size()));
-  const auto nth = values.begin() + std::ptrdiff_t(std::max(rank, 1.0)) - 1;
-  std::nth_element(values.begin(), nth, values.end());
-  return *nth;
+  const auto nth = std::min(within, std::size_t(std::max(rank, 1.0))) - 1;
+  const auto first = values.begin();
+  std::nth_element(first, first + std::ptrdiff_t(nth), first + std::ptrdiff_t(within));
+  value = values[nth];
+  return nth + 1;
 }
 
 void finish(Difference& result, Sums& sums) {
@@ -79,10 +82,12 @@ void finish(Difference& result, Sums& sums) {
   result.bias = narrow(sums.signed_sum / count);
   result.mean_abs = narrow(sums.absolute / count);
   result.rmse = narrow(std::sqrt(sums.squares / count));
-  result.p50 = percentile(sums.magnitudes, 0.5);
-  result.p95 = percentile(sums.magnitudes, 0.95);
-  result.p99 = percentile(sums.magnitudes, 0.99);
-  result.p999 = percentile(sums.magnitudes, 0.999);
+  // From the highest down: each sorts what the one before left below it.
+  std::size_t within = sums.magnitudes.size();
+  within = percentile(sums.magnitudes, within, 0.999, result.p999);
+  within = percentile(sums.magnitudes, within, 0.99, result.p99);
+  within = percentile(sums.magnitudes, within, 0.95, result.p95);
+  percentile(sums.magnitudes, within, 0.5, result.p50);
 }
 
 }  // namespace

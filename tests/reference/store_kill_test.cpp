@@ -105,19 +105,35 @@ pid_t start_run(const fs::path& folder) {
   for (bool fresh = false;; fresh = true) fill(folder, store, fresh);
 }
 
+/// Kills a run and returns whether that is what ended it.
+bool kill_run(pid_t victim) {
+  ::kill(victim, SIGKILL);
+  int status = 0;
+  return ::waitpid(victim, &status, 0) == victim && WIFSIGNALED(status);
+}
+
+/// How long a run takes on this machine until its first entry is in an empty store.
+std::chrono::microseconds time_to_an_entry(const fs::path& folder) {
+  const auto start = std::chrono::steady_clock::now();
+  const pid_t run = start_run(folder);
+  while (take_inventory(folder / "store").sound == 0)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  kill_run(run);
+  return std::chrono::duration_cast<std::chrono::microseconds>(std::chrono::steady_clock::now() -
+                                                               start);
+}
+
 /// Kills 100 runs at random moments and counts what they leave.
 nlohmann::json kill_runs(const fs::path& folder) {
   const auto root = folder / "store";
   std::mt19937 random(20);
+  std::uniform_int_distribution<long> moments(1, 3 * time_to_an_entry(folder).count());
   int killed = 0, partly = 0, left_behind = 0, unsound = 0;
   for (int run = 0; run < 100; ++run) {
     if (run % 3 == 0) fs::remove_all(root);  // begin from nothing, from a part, from the whole
     const pid_t victim = start_run(folder);
-    std::this_thread::sleep_for(
-        std::chrono::microseconds(std::uniform_int_distribution<>(1, 80'000)(random)));
-    ::kill(victim, SIGKILL);
-    int status = 0;
-    killed += ::waitpid(victim, &status, 0) == victim && WIFSIGNALED(status);
+    std::this_thread::sleep_for(std::chrono::microseconds(moments(random)));
+    killed += kill_run(victim);
     const auto found = take_inventory(root);
     partly += found.sound > 0 && found.sound < 3 * kScenes;
     left_behind += found.temporary > 0;
