@@ -140,7 +140,7 @@ Channel magnitude(const Channel& a, const Channel& b) {
   return result;
 }
 
-/// First and second derivatives of a Gaussian over the xyz_luminance ([L], section 4.2).
+/// First and second derivatives of a Gaussian over the luminance ([L], section 4.2).
 Features features(const Channels& opponents, double pixels_per_degree) {
   const double sigma = 0.5 * kFeatureWidth * pixels_per_degree;
   const int radius = int(std::ceil(3 * sigma));
@@ -150,12 +150,10 @@ Features features(const Channels& opponents, double pixels_per_degree) {
     second[std::size_t(i + radius)] *= i * i / (sigma * sigma) - 1;
   }
   smooth = normalised(smooth), first = balanced(first), second = balanced(second);
-  Channel xyz_luminance = opponents[0];
-  for (double& value : xyz_luminance.values) value = (value + 16) / 116;
-  return {
-      magnitude(correlate(xyz_luminance, first, smooth), correlate(xyz_luminance, smooth, first)),
-      magnitude(correlate(xyz_luminance, second, smooth),
-                correlate(xyz_luminance, smooth, second))};
+  Channel luminance = opponents[0];
+  for (double& value : luminance.values) value = (value + 16) / 116;
+  return {magnitude(correlate(luminance, first, smooth), correlate(luminance, smooth, first)),
+          magnitude(correlate(luminance, second, smooth), correlate(luminance, smooth, second))};
 }
 
 // ---- Together ----------------------------------------------------------------------------------

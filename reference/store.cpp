@@ -186,7 +186,7 @@ fs::path default_store_directory() {
   if (cache && *cache == '/') return fs::path(cache) / "litmus";
   const char* home = std::getenv("HOME");
   if (home && *home) return fs::path(home) / ".cache" / "litmus";
-  return fmt::format("/tmp/litmus-{}", ::getuid());
+  return fs::temp_directory_path() / fmt::format("litmus-{}", ::getuid());
 }
 
 Store open_store(const fs::path& root, std::function<void(const std::string&)> warn) {

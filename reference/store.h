@@ -43,7 +43,7 @@ struct Store {
       warn;  ///< one sentence; may be empty; any thread calls it
 };
 
-/// $XDG_CACHE_HOME/litmus, else ~/.cache/litmus, else (no home) a folder of the user in /tmp.
+/// $XDG_CACHE_HOME/litmus, else ~/.cache/litmus, else (no home) the user's own folder of temporary files.
 std::filesystem::path default_store_directory();
 
 /// Makes the folder if missing and removes what killed processes left half made. Throws Refusal if

@@ -53,10 +53,7 @@ Words distances(const Words& words, std::size_t width, Guess guess) {
 }
 
 int exponent_for(const Picture& picture) {
-  double largest = 0;
-  for (const glm::dvec3& pixel : picture.pixels)
-    for (int c = 0; c < 3; ++c)
-      if (std::isfinite(pixel[c])) largest = std::max(largest, std::abs(pixel[c]));
+  const double largest = largest_finite(picture);
   return largest > 0 ? kTopExponent - std::ilogb(largest) - 1 : 0;
 }
 
@@ -78,6 +75,14 @@ Words words_of(const Picture& picture, double step, int exponent) {
 }
 
 }  // namespace
+
+double largest_finite(const Picture& picture) {
+  double largest = 0;
+  for (const glm::dvec3& pixel : picture.pixels)
+    for (int c = 0; c < 3; ++c)
+      if (std::isfinite(pixel[c])) largest = std::max(largest, std::abs(pixel[c]));
+  return largest;
+}
 
 std::uint16_t half_bits(double value) {
   if (std::isnan(value)) return 0x7e00;

@@ -29,6 +29,9 @@ enum class Guess {
 
 std::string_view name_of(Guess guess);
 
+/// The largest absolute value of any channel that is finite.
+double largest_finite(const Picture& picture);
+
 /// Half floats of value * 2^exponent, so that the largest of them uses half's whole range. `data`
 /// is base64 of a zlib stream of bytes: the high bytes, then the low bytes of what is kept of the
 /// words

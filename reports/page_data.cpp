@@ -37,12 +37,8 @@ const Comparison* row_of(const std::vector<Comparison>& rows, const Case& one,
   return nullptr;
 }
 
-double largest(const Picture& picture) {
-  double most = 0;
-  for (const glm::dvec3& pixel : picture.pixels)
-    for (int c = 0; c < 3; ++c)
-      if (std::isfinite(pixel[c])) most = std::max(most, std::abs(pixel[c]));
-  return most;
+bool scene_fails(const Study& study, const Case& one) {
+  return tally(study, [&](const Comparison& row) { return row.scene == one.scene; }).failed > 0;
 }
 
 ordered_json theirs_json(const Study& study, const Case& one, const CaseLayer& layer,
@@ -59,12 +55,11 @@ ordered_json theirs_json(const Study& study, const Case& one, const CaseLayer& l
     result["allowed"].push_back(allowed);
     if (region == Region::Interior) inside = allowed;
   }
-  const bool fails =
-      tally(study, [&](const Comparison& row) { return row.scene == one.scene; }).failed > 0;
-  const double steps = fails ? kStepsOfFailures : kStepsOfPasses;
+  const double steps = scene_fails(study, one) ? kStepsOfFailures : kStepsOfPasses;
   double finest = inside / steps;
   const Picture difference = packed_difference(layer.ours, theirs.picture);
-  if (detail == Detail::Coarse) finest = std::max(finest, largest(difference) / kStepsOfLargest);
+  if (detail == Detail::Coarse)
+    finest = std::max(finest, largest_finite(difference) / kStepsOfLargest);
   const double step = finest > 0 ? std::exp2(std::floor(std::log2(finest))) : 0;
   result["step"] = step;
   result["difference"] = packed_json(packed(difference, step));
@@ -130,7 +125,7 @@ bool is_sum(std::span<const CaseLayer> layers) {
     if (!same_size(known, sum)) return false;
     for (std::size_t i = 0; i < sum.pixels.size(); ++i) sum.pixels[i] += known.pixels[i];
   }
-  const double smallest = std::ldexp(largest(whole), -38);
+  const double smallest = std::ldexp(largest_finite(whole), -38);
   for (std::size_t i = 0; i < sum.pixels.size(); ++i)
     for (int c = 0; c < 3; ++c) {
       const double is = whole.pixels[i][c];
@@ -195,9 +190,7 @@ std::vector<std::string> pictures_within(const Study& study, std::size_t budget)
   for (auto& each : running) total += pictures.emplace_back(each.get()).size();
   const std::vector<const Case*> worst_first = cases_by_verdict(study);
   for (auto one = worst_first.rbegin(); one != worst_first.rend() && total > budget; ++one) {
-    const bool fails =
-        tally(study, [&](const Comparison& row) { return row.scene == (*one)->scene; }).failed > 0;
-    if (!fails) continue;
+    if (!scene_fails(study, **one)) continue;
     std::string& picture = pictures[std::size_t(*one - study.cases.data())];
     total -= picture.size();
     picture = pictures_json(study, **one, Detail::Coarse);

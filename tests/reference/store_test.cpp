@@ -190,6 +190,10 @@ TEST_F(Stores, LieInTheCacheFolderOfTheUser) {
   EXPECT_EQ(default_store_directory(), "/caches/litmus");
   ::unsetenv("XDG_CACHE_HOME");
   EXPECT_EQ(default_store_directory(), "/home/somebody/.cache/litmus");
+  ::unsetenv("HOME");
+  ::setenv("TMPDIR", folder.c_str(), 1);
+  EXPECT_EQ(default_store_directory().parent_path(), folder);
+  ::unsetenv("TMPDIR");
 }
 
 }  // namespace

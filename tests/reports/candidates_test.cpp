@@ -71,7 +71,9 @@ TEST_F(CandidateStudy, JudgesACandidateBesideTheReferences) {
   const Study bad = study(candidate(1.001));
   EXPECT_EQ(overall_verdict(bad), "fail");
   for (const Comparison& row : bad.comparisons)
-    if (row.verdict == "fail") EXPECT_EQ(row.reference, "mine");
+    if (row.verdict == "fail") {
+      EXPECT_EQ(row.reference, "mine");
+    }
 }
 
 TEST_F(CandidateStudy, MeasuresACandidateAgainstBothReferences) {
@@ -105,7 +107,9 @@ TEST_F(CandidateStudy, PassesEightBitsOfTheRightPictureAndSaysWhatTheyHide) {
   const Study made = study(candidate_in_png(1));
   EXPECT_EQ(overall_verdict(made), "pass");
   for (const Comparison& row : made.comparisons)
-    if (row.reference == "mine") EXPECT_THAT(row.reason, HasSubstr("png8-srgb can round away"));
+    if (row.reference == "mine") {
+      EXPECT_THAT(row.reason, HasSubstr("png8-srgb can round away"));
+    }
   ASSERT_EQ(made.candidates.size(), 1u);
   EXPECT_THAT(made.candidates[0].note, HasSubstr("mid-grey"));
 }
