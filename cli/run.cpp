@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <ctime>
+#include <future>
 #include <iterator>
 #include <map>
 
@@ -241,11 +242,13 @@ int run_scenes(const RunArguments& options) {
   if (baseline) study.baseline = against_baseline(study, *baseline, nearby(options.baseline));
 
   fs::create_directories(options.out);
+  auto page = std::async(std::launch::async,
+                         [&] { write_html(study, options.out / "report.html"); });
   write_json(study, options.out / "results.json");
   write_markdown(study, options.out / "summary.md");
   write_junit(study, options.out / "junit.xml");
   write_migration(migrated, options.out);
-  write_html(study, options.out / "report.html");
+  page.get();
   if (study.baseline) print_baseline(*study.baseline);
   print_summary(study, options.out);
   if (annotates(options)) fmt::print("{}", github_annotations(study));

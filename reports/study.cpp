@@ -3,26 +3,19 @@
 #include "reports/study.h"
 
 #include <fmt/format.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <cmath>
 #include <future>
+#include <iterator>
 
-#include "compare/regions.h"
 #include "compare/tolerances.h"
-#include "reference/band_images.h"
 #include "reference/closed_form.h"
-#include "reports/alignment.h"
-#include "reports/band_rows.h"
-#include "reports/blame.h"
 #include "reports/candidates.h"
-#include "reports/closed_form_rows.h"
+#include "reports/compare_scene.h"
 #include "reports/controls.h"
 #include "reports/plain_text.h"
 #include "reports/provenance.h"
-#include "reports/rows.h"
-#include "reports/suspects.h"
-#include "reports/triage_rows.h"
 #include "scene/refusal.h"
 #include "tracer/render.h"
 
@@ -44,10 +37,6 @@ std::vector<const Driver*> chosen_drivers(const std::vector<std::string>& names)
   return chosen;
 }
 
-bool wants_closed_forms(const std::vector<std::string>& names) {
-  return names.empty() || std::find(names.begin(), names.end(), kClosedForm) != names.end();
-}
-
 /// One row of results per scene for each driver, all drivers at the same time.
 std::vector<std::vector<ObtainedReference>> obtain_all(std::span<const Scene> scenes,
                                                        std::span<const Driver* const> drivers,
@@ -62,134 +51,15 @@ std::vector<std::vector<ObtainedReference>> obtain_all(std::span<const Scene> sc
   return results;
 }
 
-/// The layers, and as the last one their whole.
-std::vector<CaseLayer> own_layers(Rendering rendering) {
-  std::vector<CaseLayer> layers;
-  std::vector<std::uint8_t> any(rendering.whole.pixels.size());
-  for (std::size_t k = 0; k < rendering.layers.size(); ++k) {
-    Layer& layer = rendering.layers[k];
-    std::vector<std::uint8_t> edge = edge_mask(rendering.signatures[k]);
-    for (std::size_t i = 0; i < edge.size(); ++i) any[i] |= edge[i];
-    layers.push_back({layer.light,
-                      layer.light_type,
-                      std::move(layer.picture),
-                      std::move(edge),
-                      {},
-                      {},
-                      std::move(rendering.flags[k])});
-  }
-  layers.push_back({"all", "all", std::move(rendering.whole), std::move(any), {}, {}});
-  return layers;
+void append(std::vector<Comparison>& rows, std::vector<Comparison>&& more) {
+  std::move(more.begin(), more.end(), std::back_inserter(rows));
 }
 
-/// Our side of a comparison: what was rendered, and the means to look again.
-struct OurSide {
-  const Scene& scene;
-  const RenderOptions& options;
-  Probe probe;
-  const BandSide* bands = nullptr;  ///< of a spectral scene
-};
-
-/// One sigma of what an encoding's rounding does to the sum of some layers.
-double noise_of(const Encoding& encoding, std::size_t layers) {
-  return half_step(0.5, encoding) / std::sqrt(3.0) * std::sqrt(double(layers));
-}
-
-/// A row that stands for a layer with nothing to compare with.
-Comparison empty_row(const ObtainedReference& reference) {
-  Comparison row;
-  row.region = "all";
-  row.verdict = reference.failure.empty() ? "skipped" : "fail";
-  row.reason = reference.failure.empty() ? reference.skipped : reference.failure;
-  return row;
-}
-
-void add_reason(std::vector<Comparison>& rows, const std::string& note) {
-  if (note.empty()) return;
-  for (Comparison& row : rows) row.reason += (row.reason.empty() ? "" : "; ") + note;
-}
-
-/// Of a spectral scene: with the layers in linear sRGB in place of those per band.
-ObtainedReference in_colors(const Scene& scene, ObtainedReference reference) {
-  reference.layers = colors_of(scene, reference.layers);
-  return reference;
-}
-
-void compare_with(Case& entry, const ObtainedReference& reference, const OurSide& side,
-                  std::vector<Comparison>& comparisons, const ExtraSource* extra = nullptr) {
-  entry.references.push_back({reference.reference, reference.source, reference.version,
-                              reference.command, reference.seconds, reference.failure,
-                              reference.log});
-  const Encoding encoding = extra ? extra->encoding : Encoding{};
-  const bool spectral = side.bands && !reference.source.empty();
-  const std::vector<Layers> bands =
-      spectral ? band_layers(side.scene, reference.layers) : std::vector<Layers>{};
-  const ObtainedReference colors =
-      spectral ? in_colors(side.scene, reference) : ObtainedReference{};
-  const ObtainedReference& shown = spectral ? colors : reference;
-  if (spectral) entry.references.back().bands = reference.layers;
-  const std::string tolerances_of = extra ? kToleranceOfCandidates : reference.reference;
-  const std::size_t first_row = comparisons.size();
-  for (std::size_t k = 0; k < entry.layers.size(); ++k) {
-    CaseLayer& layer = entry.layers[k];
-    std::vector<Comparison> rows;
-    if (reference.source.empty()) {
-      rows.push_back(empty_row(reference));
-      layer.theirs.push_back({reference.reference, "", {}});
-    } else {
-      const Picture theirs = theirs_beyond_rounding(layer.ours, shown, k, encoding);
-      rows = spectral ? compare_bands(layer, k, *side.bands, bands, tolerances_of)
-                      : compare_layer(layer, k, theirs, tolerances_of, side.probe);
-      add_reason(rows, rounding_note(reference, k, encoding));
-      layer.theirs.push_back({reference.reference, reference.source, theirs});
-    }
-    for (Comparison& row : rows) {
-      row.scene = entry.scene, row.reference = reference.reference, row.source = reference.source;
-      row.light = layer.light, row.light_type = layer.light_type;
-      comparisons.push_back(std::move(row));
-    }
-  }
-  if (reference.source.empty()) return;
-  Registration& registration = entry.references.back().registration;
-  registration = align(side.scene, side.options, entry, sum(shown.layers),
-                       noise_of(encoding, reference.layers.size()));
-  blame_the_camera(std::span(comparisons).subspan(first_row), registration);
-}
-
-/// Each layer of a source against that of each reference, for information.
-void compare_with_references(const Case& entry, const ObtainedReference& images,
-                             const ExtraSource& extra, std::size_t references, const Probe& probe,
-                             std::vector<Comparison>& rows) {
-  if (images.source.empty()) return;
-  for (std::size_t k = 0; k < entry.layers.size(); ++k) {
-    const CaseLayer& layer = entry.layers[k];
-    for (std::size_t r = 0; r < references; ++r) {
-      const CaseLayer::Theirs& reference = layer.theirs[r];
-      if (reference.source.empty()) continue;
-      const CaseLayer between{layer.light, layer.light_type, reference.picture, layer.edge, {}, {}};
-      const Picture theirs = theirs_beyond_rounding(reference.picture, images, k, extra.encoding);
-      for (Comparison& row : compare_layer(between, k, theirs, kToleranceOfCandidates, probe)) {
-        row.scene = entry.scene, row.reference = extra.name, row.source = images.source;
-        row.light = layer.light, row.light_type = layer.light_type;
-        row.against = reference.reference;
-        rows.push_back(std::move(row));
-      }
-    }
-  }
-}
-
-/// A candidate or native export: judged rows go to the comparisons, pictures to the other ones.
-void compare_with_extra(Case& entry, const ExtraSource& extra, std::size_t scene,
-                        std::size_t references, const OurSide& side, Study& study) {
-  const ObtainedReference& images = extra.results[scene];
-  compare_with(entry, images, side, extra.judged ? study.comparisons : study.informative, &extra);
-  if (!extra.native && !side.bands)
-    compare_with_references(entry, images, extra, references, side.probe, study.informative);
-  if (extra.judged) return;
-  for (CaseLayer& layer : entry.layers) {
-    layer.aside.push_back(std::move(layer.theirs.back()));
-    layer.theirs.pop_back();
-  }
+void append(Study& study, Study&& part) {
+  std::move(part.cases.begin(), part.cases.end(), std::back_inserter(study.cases));
+  append(study.comparisons, std::move(part.comparisons));
+  append(study.informative, std::move(part.informative));
+  append(study.pairs, std::move(part.pairs));
 }
 
 }  // namespace
@@ -201,43 +71,27 @@ Study run_study(std::span<const Scene> scenes, const StudyOptions& options) {
     throw Refusal(
         fmt::format("--control: there is no \"{}\"; see litmus run --help", options.control));
   }
-  const auto obtained = obtain_all(scenes, drivers, options.obtain);
-  const std::vector<ExtraSource> extras = obtain_extras(scenes, options);
-  Study study;
-  for (std::size_t i = 0; i < scenes.size(); ++i) {
-    Scene ours = scenes[i];
-    RenderOptions render_options;
-    render_options.threads = options.threads;
-    BandRendering bands = render_with(control, ours, render_options);
-    const std::optional<BandSide> spectral = band_side(ours, render_options, bands);
-    Rendering& rendering = bands.rendering;
-
-    Case entry{ours.name,
-               nearby(ours.file),
-               ours.about,
-               ours.tags,
-               ours.warnings,
-               ours.width,
-               ours.height,
-               rendering.seconds,
-               {},
-               own_layers(std::move(rendering))};
-    entry.control = options.control;
-    const OurSide side{ours, render_options, probe(ours, render_options),
-                       spectral ? &*spectral : nullptr};
-    for (const auto& references : obtained)
-      compare_with(entry, references[i], side, study.comparisons);
-    if (wants_closed_forms(options.references)) compare_with_closed_form(scenes[i], entry, study);
-    compare_references(entry, study);
-    for (const ExtraSource& extra : extras)
-      compare_with_extra(entry, extra, i, obtained.size(), side, study);
-    study.cases.push_back(std::move(entry));
+  // Asking the renderers for their versions takes as long as loading them.
+  auto provenance = std::async(std::launch::async, [&] { return provenance_of(drivers); });
+  const ObtainedSources sources{obtain_all(scenes, drivers, options.obtain),
+                                obtain_extras(scenes, options)};
+  // One after the other, so that a scene's seconds are its own.
+  std::vector<RenderedScene> ours;
+  for (const Scene& scene : scenes) {
+    RenderedScene& one = ours.emplace_back(RenderedScene{scene, {.threads = options.threads}, {}});
+    one.bands = render_with(control, one.scene, one.options);
   }
+  std::vector<Study> parts(scenes.size());
+  tbb::parallel_for(
+      std::size_t{0}, scenes.size(),
+      [&](std::size_t i) {
+        parts[i] = compare_scene(scenes[i], i, std::move(ours[i]), sources, options);
+      },
+      tbb::simple_partitioner{});
+  Study study;
+  for (Study& part : parts) append(study, std::move(part));
   study.warnings = tolerance_warnings(tolerances(), nearby(tolerances_file()));
-  name_suspects(study);
-  add_triage(study);
-  add_blame(study, scenes);
-  study.provenance = provenance_of(drivers);
+  study.provenance = provenance.get();
   for (const Candidate& candidate : options.candidates)
     study.candidates.push_back({candidate.name, std::string(name_of(candidate.encoding)),
                                 candidate.encoding.exposure, blindness(candidate.encoding)});
