@@ -7,6 +7,8 @@
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <map>
+#include <mutex>
 #include <stdexcept>
 
 #include "compare/image_io.h"
@@ -27,9 +29,10 @@ void write_text(const fs::path& file, const std::string& text) {
   if (!out.flush()) throw std::runtime_error(fmt::format("{}: cannot be written", file.string()));
 }
 
-std::optional<Installation> find_installation(const std::string& name, std::string_view title) {
-  const fs::path program = find_program(name);
-  if (program.empty()) return std::nullopt;
+namespace {
+
+std::optional<Installation> ask(const fs::path& program, const std::string& name,
+                                std::string_view title) {
   const fs::path folder = fs::temp_directory_path() / fmt::format("litmus-{}-{}", name, ::getpid());
   const fs::path log = folder / "version.log";
   const ProcessResult result =
@@ -43,6 +46,35 @@ std::optional<Installation> find_installation(const std::string& name, std::stri
   std::string version = text.substr(start, text.find_first_not_of("0123456789.", start) - start);
   while (!version.empty() && version.back() == '.') version.pop_back();
   return Installation{program, version};
+}
+
+/// What a program said when it was last asked, and when its file had been written.
+struct Answer {
+  std::mutex asking;
+  fs::file_time_type written{};
+  std::optional<Installation> installation{};
+};
+
+Answer& answer_of(const fs::path& program) {
+  static std::mutex lock;
+  static std::map<fs::path, Answer> answers;
+  const std::lock_guard guard(lock);
+  return answers[program];
+}
+
+}  // namespace
+
+std::optional<Installation> find_installation(const std::string& name, std::string_view title) {
+  const fs::path program = find_program(name);
+  if (program.empty()) return std::nullopt;
+  Answer& answer = answer_of(program);
+  const std::lock_guard guard(answer.asking);
+  std::error_code error;
+  const fs::file_time_type written = fs::last_write_time(program, error);
+  if (!error && answer.installation && answer.written == written) return answer.installation;
+  answer.installation = ask(program, name, title);
+  answer.written = written;
+  return answer.installation;
 }
 
 Scene without_words(Scene scene) {

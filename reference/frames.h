@@ -17,7 +17,8 @@ std::string read_text(const std::filesystem::path& file);
 void write_text(const std::filesystem::path& file, const std::string& text);
 
 /// The renderer on PATH whose --version prints `title` and then digits and dots; nothing if there
-/// is none or if it does not start.
+/// is none or if it does not start. A program is asked once in a process, and again when its file
+/// was written since.
 std::optional<Installation> find_installation(const std::string& program, std::string_view title);
 
 /// The scene without the words that are for people only: they do not change the picture.
