@@ -242,8 +242,8 @@ int run_scenes(const RunArguments& options) {
   if (baseline) study.baseline = against_baseline(study, *baseline, nearby(options.baseline));
 
   fs::create_directories(options.out);
-  auto page = std::async(std::launch::async,
-                         [&] { write_html(study, options.out / "report.html"); });
+  auto page =
+      std::async(std::launch::async, [&] { write_html(study, options.out / "report.html"); });
   write_json(study, options.out / "results.json");
   write_markdown(study, options.out / "summary.md");
   write_junit(study, options.out / "junit.xml");

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <atomic>
 #include <charconv>
+#include <functional>
+#include <future>
 #include <mutex>
 #include <sstream>
 #include <stdexcept>
@@ -26,6 +28,8 @@ constexpr double kOpacity =
     0.5;  // of the screen: half of what it takes off, half of what is behind
 constexpr double kScreen = 0.01;        // its distance; POV-Ray sees nothing nearer than 1e-4
 constexpr int kProcessesPerThread = 4;  // a process sleeps most of its time
+constexpr std::size_t kFramesOfAProcess = 16;  // a frame sleeps 0.2 s
+constexpr double kRaysOfAFrame = 1e5;          // that could be traced while it sleeps
 // What it says where a busy machine has not started its threads within the time that it allows
 // (vfeInitializeTimedOut of vfe/vfesession.h, 3.7): nothing has been read then, let alone traced,
 // so that it is started once more.
@@ -72,27 +76,48 @@ bool never_started(const ProcessResult& result, const fs::path& log) {
          read_text(log).find(kNotStarted) != std::string::npos;
 }
 
-// One run of POV-Ray in the scene's folder. Throws std::runtime_error if it failed.
-struct Pass {
-  std::string command;
-  fs::path log;
-};
-
-Pass run_pass(const Installation& povray, const fs::path& folder, const std::string& stem,
-              std::vector<std::string> arguments, int threads, const ReferenceOptions& options) {
-  arguments.push_back(fmt::format("+WT{}", threads));
-  Pass pass{fmt::format("povray {}", fmt::join(arguments, " ")), folder / (stem + ".log")};
+// One run of POV-Ray in the scene's folder.
+ProcessResult run_part(const Installation& povray, const fs::path& log,
+                       std::vector<std::string> arguments, const ReferenceOptions& options) {
   arguments.insert(arguments.begin(), povray.program.string());
   const Command command{.arguments = arguments,
-                        .directory = folder,
-                        .log = pass.log,
+                        .directory = log.parent_path(),
+                        .log = log,
                         .time_limit = options.time_limit};
   ProcessResult result = run_process(command);
-  for (int starts = 1; starts < kMostStarts && never_started(result, pass.log); ++starts)
+  for (int starts = 1; starts < kMostStarts && never_started(result, log); ++starts)
     result = run_process(command);
-  if (!result.ok())
-    throw std::runtime_error(fmt::format("{} ({})", result.explanation, pass.command));
-  return pass;
+  return result;
+}
+
+// All frames of a pass, many of them in several processes; the log is that of all. Returns the
+// command that renders them in one. Throws std::runtime_error if one failed.
+std::string run_pass(const Installation& povray, const fs::path& log, std::size_t frames,
+                     std::vector<std::string> arguments, int threads,
+                     const ReferenceOptions& options) {
+  arguments.push_back(fmt::format("+WT{}", threads));
+  const std::string whole = fmt::format("povray {}", fmt::join(arguments, " "));
+  std::vector<std::future<ProcessResult>> parts;
+  std::vector<fs::path> logs;
+  for (std::size_t first = 1; first <= frames; first += kFramesOfAProcess) {
+    std::vector<std::string> some = arguments;
+    if (frames > kFramesOfAProcess) {
+      some.push_back(fmt::format("+SF{}", first));
+      some.push_back(fmt::format("+EF{}", std::min(first + kFramesOfAProcess - 1, frames)));
+    }
+    logs.push_back(fmt::format("{}.{}", log.string(), first));
+    parts.push_back(std::async(std::launch::async, run_part, std::cref(povray), logs.back(),
+                               std::move(some), std::cref(options)));
+  }
+  std::string failure, passed, failed;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const ProcessResult result = parts[i].get();
+    if (!result.ok()) failure = result.explanation;
+    (result.ok() ? passed : failed) += read_text(logs[i]);
+  }
+  write_text(log, passed + failed);  // the end of a log says why
+  if (!failure.empty()) throw std::runtime_error(fmt::format("{} ({})", failure, whole));
+  return whole;
 }
 
 Layer read_layer(const Scene& scene, const fs::path& folder, std::size_t layer) {
@@ -118,10 +143,11 @@ ReferenceResult render_one(const Installation& povray, const Scene& scene, const
     for (const char* stem : {"scene", "residual"}) {
       result.log = folder / fmt::format("{}.log", stem);
       const bool first = result.command.empty();
-      const Pass pass = run_pass(povray, folder, stem,
-                                 first ? first_pass(scene) : second_pass(scene), threads, options);
-      result.command += (first ? "" : "; ") + pass.command;
-      result.seconds += povray_trace_seconds(read_text(pass.log));
+      const std::string command =
+          run_pass(povray, result.log, frames(scene),
+                   first ? first_pass(scene) : second_pass(scene), threads, options);
+      result.command += (first ? "" : "; ") + command;
+      result.seconds += povray_trace_seconds(read_text(result.log));
     }
     for (std::size_t layer = 0; layer < frames(scene); ++layer)
       result.layers.push_back(read_layer(scene, folder, layer));
@@ -144,7 +170,7 @@ double work(const Scene& scene) {
     if (const Mesh* mesh = std::get_if<Mesh>(&object.shape))
       triangles += double(mesh->triangles.size());
   const double rays = double(scene.width) * scene.height * scene.samples * scene.samples * lamps;
-  return rays + triangles * double(frames(scene));
+  return rays + (triangles + kRaysOfAFrame) * double(frames(scene));
 }
 
 void render_povray(const Installation& povray, std::span<const Scene> scenes,

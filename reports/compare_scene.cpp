@@ -175,20 +175,20 @@ Case case_of(RenderedScene& ours, const std::string& control) {
 
 }  // namespace
 
-Study compare_scene(const Scene& scene, std::size_t index, RenderedScene ours,
-                    const ObtainedSources& sources, const StudyOptions& options) {
+Study compare_scene(const Scene& scene, RenderedScene ours, const SceneSources& sources,
+                    const StudyOptions& options) {
   const std::optional<BandSide> bands = band_side(ours.scene, ours.options, ours.bands);
   Study study;
   study.cases.push_back(case_of(ours, options.control));
   Case& entry = study.cases.back();
   const OurSide side{ours.scene, ours.options, probe(ours.scene, ours.options),
                      bands ? &*bands : nullptr};
-  for (const auto& references : sources.references)
-    compare_with(entry, references[index], side, study.comparisons);
+  for (const ObtainedReference& reference : sources.references)
+    compare_with(entry, reference, side, study.comparisons);
   if (wants_closed_forms(options.references)) compare_with_closed_form(scene, entry, study);
   compare_references(entry, study);
   for (const ExtraSource& extra : sources.extras)
-    compare_with_extra(entry, extra, index, sources.references.size(), side, study);
+    compare_with_extra(entry, extra, sources.index, sources.references.size(), side, study);
   name_suspects(study);
   add_triage(study);
   add_blame(study, {&scene, 1});

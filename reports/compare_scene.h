@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "reports/candidates.h"
@@ -17,16 +18,17 @@ struct RenderedScene {
   BandRendering bands;
 };
 
-/// The other sides of all scenes, each with a result per scene.
-struct ObtainedSources {
-  std::vector<std::vector<ObtainedReference>> references;
-  std::vector<ExtraSource> extras;
+/// The other sides of one scene.
+struct SceneSources {
+  std::vector<ObtainedReference> references;  ///< one per driver
+  std::span<const ExtraSource> extras;        ///< of all scenes
+  std::size_t index = 0;                      ///< the scene's place among the results of `extras`
 };
 
-/// The study of `scene` alone, without provenance: its case, its rows, and who is to blame for those
-/// that fail. `index` is its place among the results of `sources`; `ours` is the scene as it was
-/// rendered. Scenes do not depend on each other, and calls may run at the same time.
-Study compare_scene(const Scene& scene, std::size_t index, RenderedScene ours,
-                    const ObtainedSources& sources, const StudyOptions& options);
+/// The study of `scene` alone, without provenance: its case, its rows, and who is to blame for
+/// those that fail. `ours` is the scene as it was rendered. Scenes do not depend on each other, and
+/// calls may run at the same time.
+Study compare_scene(const Scene& scene, RenderedScene ours, const SceneSources& sources,
+                    const StudyOptions& options);
 
 }  // namespace litmus

@@ -37,7 +37,7 @@ std::vector<const Driver*> chosen_drivers(const std::vector<std::string>& names)
   return chosen;
 }
 
-/// One row of results per scene for each driver, all drivers at the same time.
+/// For each scene a result per driver, all drivers at the same time.
 std::vector<std::vector<ObtainedReference>> obtain_all(std::span<const Scene> scenes,
                                                        std::span<const Driver* const> drivers,
                                                        const ObtainOptions& options) {
@@ -46,9 +46,23 @@ std::vector<std::vector<ObtainedReference>> obtain_all(std::span<const Scene> sc
     running.push_back(
         std::async(std::launch::async, [=] { return obtain(scenes, *driver, options); }));
   }
-  std::vector<std::vector<ObtainedReference>> results;
-  for (auto& each : running) results.push_back(each.get());
+  std::vector<std::vector<ObtainedReference>> results(scenes.size());
+  for (auto& each : running) {
+    std::vector<ObtainedReference> of_driver = each.get();
+    for (std::size_t i = 0; i < results.size(); ++i) results[i].push_back(std::move(of_driver[i]));
+  }
   return results;
+}
+
+/// One after the other, so that a scene's seconds are its own.
+std::vector<RenderedScene> render_ours(std::span<const Scene> scenes, const Control* control,
+                                       int threads) {
+  std::vector<RenderedScene> ours;
+  for (const Scene& scene : scenes) {
+    RenderedScene& one = ours.emplace_back(RenderedScene{scene, {.threads = threads}, {}});
+    one.bands = render_with(control, one.scene, one.options);
+  }
+  return ours;
 }
 
 void append(std::vector<Comparison>& rows, std::vector<Comparison>&& more) {
@@ -73,21 +87,16 @@ Study run_study(std::span<const Scene> scenes, const StudyOptions& options) {
   }
   // Asking the renderers for their versions takes as long as loading them.
   auto provenance = std::async(std::launch::async, [&] { return provenance_of(drivers); });
-  const ObtainedSources sources{obtain_all(scenes, drivers, options.obtain),
-                                obtain_extras(scenes, options)};
-  // One after the other, so that a scene's seconds are its own.
-  std::vector<RenderedScene> ours;
-  for (const Scene& scene : scenes) {
-    RenderedScene& one = ours.emplace_back(RenderedScene{scene, {.threads = options.threads}, {}});
-    one.bands = render_with(control, one.scene, one.options);
-  }
+  const std::vector<ExtraSource> extras = obtain_extras(scenes, options);
+  std::vector<std::vector<ObtainedReference>> references =
+      obtain_all(scenes, drivers, options.obtain);
+  std::vector<RenderedScene> ours = render_ours(scenes, control, options.threads);
   std::vector<Study> parts(scenes.size());
-  tbb::parallel_for(
-      std::size_t{0}, scenes.size(),
-      [&](std::size_t i) {
-        parts[i] = compare_scene(scenes[i], i, std::move(ours[i]), sources, options);
-      },
-      tbb::simple_partitioner{});
+  const auto compare = [&](std::size_t i) {
+    parts[i] = compare_scene(scenes[i], std::move(ours[i]), {std::move(references[i]), extras, i},
+                             options);
+  };
+  tbb::parallel_for(std::size_t{0}, scenes.size(), compare, tbb::simple_partitioner{});
   Study study;
   for (Study& part : parts) append(study, std::move(part));
   study.warnings = tolerance_warnings(tolerances(), nearby(tolerances_file()));

@@ -28,8 +28,7 @@ class FindInstallation : public testing::Test {
   /// As if written `seconds` after now.
   void write_program(const std::string& last_line, int seconds) {
     const fs::path program = folder_ / "sketch";
-    write_text(program,
-               "#!/bin/sh\necho start >> " + starts_.string() + "\n" + last_line + "\n");
+    write_text(program, "#!/bin/sh\necho start >> " + starts_.string() + "\n" + last_line + "\n");
     fs::permissions(program, fs::perms::owner_all);
     fs::last_write_time(program, fs::file_time_type::clock::now() + std::chrono::seconds(seconds));
   }

@@ -126,6 +126,19 @@ TEST_F(PovrayLive, RendersEachKindOfLightToItsClosedForm) {
   });
 }
 
+TEST_F(PovrayLive, KeepsManyLightsInOrderWhereSeveralProcessesShareThem) {
+  Scene scene = povray_floor("many");
+  for (int i = 1; i <= 20; ++i)
+    scene.lights.push_back(light(std::to_string(i), DirectionalLight{{0, 0, -1}}, double(i) / 20));
+  const ReferenceResult result = render(scene);
+  ASSERT_EQ(result.failure, "");
+  ASSERT_EQ(result.layers.size(), 21u);
+  for (int i = 1; i <= 20; ++i)
+    expect_floor(result.layers[std::size_t(i)].picture,
+                 [&](const Point&) { return double(i) / 20; });
+  EXPECT_THAT(result.command, HasSubstr("+KFF21 +WT"));  // that renders all of them
+}
+
 TEST_F(PovrayLive, IsFinerThanSixteenBits) {
   Scene scene = povray_floor("fine");
   scene.lights.push_back(light("lamp", PointLight{{0.3, -0.2, 2}, {}}));
