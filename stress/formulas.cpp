@@ -187,8 +187,10 @@ struct Highlight {
   Vec<R> h, n;
   Quad truth;
 
-  /// Highlights down to exp(-faintest), half of them in the outer half, where errors are largest.
+  /// Highlights down to exp(-faintest), half of them in the outer half, where errors are largest,
+  /// and half of all with a whole exponent.
   Highlight(Draw& draw, double faintest) : shininess(R(draw.decades(1, 1e6))) {
+    if (draw.below(2) == 0) shininess = std::round(shininess);
     const double widest = std::acos(std::exp(-faintest / double(shininess)));
     const double apart = draw.below(2)   ? draw.uniform(widest / 2, widest)
                          : draw.below(2) ? draw.uniform(0, widest)

@@ -16,8 +16,7 @@ Probe exact_probe(const Scene& scene) {
     std::vector<Vec<Quad>> totals(layers);
     for (int sample = 0; sample < n * n; ++sample) {
       const Quad dx = (Quad(sample % n) + 0.5) / n - 0.5, dy = (Quad(sample / n) + 0.5) / n - 0.5;
-      look(*plan, Quad(2 * (x + dx) / view.width - 1), Quad(1 - 2 * (y + dy) / view.height), true,
-           nullptr,
+      look(*plan, Quad(2 * (x + dx) / view.width - 1), Quad(1 - 2 * (y + dy) / view.height),
            [&](std::size_t k, const Seen<Quad>& seen) { totals[k] = totals[k] + seen.color; });
     }
     std::vector<glm::dvec3> colors;

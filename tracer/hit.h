@@ -1,7 +1,7 @@
 // hit.h: what a ray from the eye hits first.
 #pragma once
 
-#include "tracer/plan.h"
+#include "tracer/spans.h"
 
 namespace litmus {
 
@@ -26,11 +26,12 @@ struct Hit {
   KindOf<V> kind = kind_value<V>(Kind::None);
   Index<V> index = -1, face = 0, object = -1;
   V t = std::numeric_limits<Scalar<V>>::infinity();
-  V u{}, v{}, w{};   ///< triangles: barycentric weights
-  Vec<V> point;      ///< on the surface itself, not just on the ray
-  V reach{};         ///< largest coordinate that the point was computed from
-  Vec<V> geometric;  ///< unit normal of the surface, turned towards the eye
-  Vec<V> normal;     ///< unit normal for shading, turned towards the eye by itself
+  V u{}, v{}, w{};         ///< triangles: barycentric weights
+  Vec<V> point;            ///< on the surface itself, not just on the ray
+  V reach{};               ///< largest coordinate that the point was computed from
+  Vec<V> geometric;        ///< unit normal of the surface, turned towards the eye
+  Vec<V> normal;           ///< unit normal for shading, turned towards the eye by itself
+  Mask<V> inside = false;  ///< of a sphere or a box, seen from within
 };
 
 template <Value V>
@@ -80,6 +81,7 @@ template <Value V>
 struct Settled {
   Vec<V> point, geometric, normal;
   V reach{};
+  V outwards{};  ///< solids: positive where the normal points out of it
 };
 
 template <Value V>
@@ -87,20 +89,20 @@ Settled<V> settle(const SphereSurface<Scalar<V>>& sphere, const Hit<V>& hit) {
   const Vec<V> center(sphere.center);
   const Vec<V> normal = normalize<Divide::Once>(hit.point - center);
   const Vec<V> point = center + V(sphere.radius) * normal;
-  return {point, normal, normal, max_abs(point)};
+  return {point, normal, normal, max_abs(point), dot(point - center, normal)};
 }
 
 template <Value V>
 Settled<V> settle(const PlaneSurface<Scalar<V>>& plane, const Hit<V>& hit) {
   const Vec<V> normal(plane.normal);
   const Vec<V> point = hit.point - dot(hit.point - Vec<V>(plane.point), normal) * normal;
-  return {point, normal, normal, max_abs(point)};
+  return {point, normal, normal, max_abs(point), {}};
 }
 
 template <Value V>
 Settled<V> settle(const BoxSurface<Scalar<V>>& box, const Hit<V>& hit) {
   using R = Scalar<V>;
-  Settled<V> settled{hit.point, {}, {}, {}};
+  Settled<V> settled{hit.point, {}, {}, {}, V(R(1))};
   V* const point[3] = {&settled.point.x, &settled.point.y, &settled.point.z};
   V* const normal[3] = {&settled.normal.x, &settled.normal.y, &settled.normal.z};
   for (int axis = 0; axis < 3; ++axis) {
@@ -124,8 +126,11 @@ Settled<V> settle(const std::array<Vec<R>, 3>& corners, const TriangleInfo<R>& i
   };
   const Vec<V> normal(info.normal);
   const R reach = std::max({max_abs(corners[0]), max_abs(corners[1]), max_abs(corners[2])});
-  return {a + (hit.v * ab + hit.w * ac), normal,
-          info.smooth ? normalize<Divide::Once>(between(info.normals)) : normal, V(reach)};
+  return {a + (hit.v * ab + hit.w * ac),
+          normal,
+          info.smooth ? normalize<Divide::Once>(between(info.normals)) : normal,
+          V(reach),
+          {}};
 }
 
 /// The geometric and shading normal of a hit, and its point moved onto the surface.
@@ -153,14 +158,21 @@ void settle(const Plan<R>& plan, const Ray<V>& ray, Hit<V>& hit) {
         one = settle(plan.triangles[index], plan.triangle_info[index], hit);
         break;
     }
+    if (all_of(on)) {
+      all = one;
+      return;
+    }
     all = {select(on, one.point, all.point), select(on, one.geometric, all.geometric),
-           select(on, one.normal, all.normal), select(on, one.reach, all.reach)};
+           select(on, one.normal, all.normal), select(on, one.reach, all.reach),
+           select(on, one.outwards, all.outwards)};
   });
-  const auto towards_eye = [&](const Vec<V>& n) {
-    return select(dot(n, ray.direction) > R(0), -n, n);
-  };
   hit.point = all.point, hit.reach = all.reach;
-  hit.geometric = towards_eye(all.geometric), hit.normal = towards_eye(all.normal);
+  const Mask<V> turned = dot(all.geometric, ray.direction) > R(0);
+  hit.geometric = select(turned, -all.geometric, all.geometric);
+  hit.inside = select(turned, -all.outwards, all.outwards) < R(0);
+  hit.normal = hit.geometric;
+  if (!plan.smooth) return;
+  hit.normal = select(dot(all.normal, ray.direction) > R(0), -all.normal, all.normal);
 }
 
 /// Moves a hit to the triangle that a ray meets first, if that comes before.
@@ -194,10 +206,12 @@ void closest_triangle(const Plan<R>& plan, const Ray<V>& rays, Hit<V>& best) {
   }
 }
 
-/// What a ray from the eye sees first among the objects that a camera sees.
-template <Real R, Value V = R>
-Hit<V> closest_hit(const Plan<R>& plan, const std::type_identity_t<Ray<V>>& ray) {
-  Hit<V> best;
+/// Finds what a ray from the eye sees first among the objects that a camera sees. `may_meet(spans,
+/// i, ball)` says whether it may meet the solid i of a list at all.
+template <Real R, Value V, class MayMeet>
+void find_closest(const Plan<R>& plan, const Ray<V>& ray, const MayMeet& may_meet, Hit<V>& best) {
+  best.kind = kind_value<V>(Kind::None), best.index = Index<V>(-1), best.object = Index<V>(-1);
+  best.t = V(std::numeric_limits<R>::infinity());
   const auto offer = [&](Kind kind, const V& t, int object, int index) {
     const Mask<V> nearer = (t > R(0)) & comes_before(t, object, index, best);
     best.kind = select(nearer, kind_value<V>(kind), best.kind);
@@ -214,27 +228,49 @@ Hit<V> closest_hit(const Plan<R>& plan, const std::type_identity_t<Ray<V>>& ray)
     best.face = select(nearer, select(outside, chord.enter_face, chord.leave_face), best.face);
   };
   const auto seen = [&](int object) { return plan.camera_visible[std::size_t(object)] != 0; };
-  const auto met = [&](int object, const Ball<R>& ball) {
-    return seen(object) && any_of(may_meet(ball, ray));
-  };
   for (int i = 0; const auto& part : plan.planes) {
     if (seen(part.object)) offer(Kind::Plane, intersect(part.shape, ray), part.object, i);
     ++i;
   }
   for (int i = 0; const auto& part : plan.spheres) {
-    if (met(part.object, ball_around(part.shape))) {
+    if (seen(part.object) && may_meet(&RowSpans<R>::spheres, i, ball_around(part.shape))) {
       offer_chord(Kind::Sphere, intersect(part.shape, ray), part.object, i);
     }
     ++i;
   }
   for (int i = 0; const auto& part : plan.boxes) {
-    if (met(part.object, ball_around(part.shape))) {
+    if (seen(part.object) && may_meet(&RowSpans<R>::boxes, i, ball_around(part.shape))) {
       offer_chord(Kind::Box, intersect(part.shape, ray), part.object, i);
     }
     ++i;
   }
   if (!plan.triangles.empty()) closest_triangle(plan, ray, best);
   settle(plan, ray, best);
+}
+
+/// The same, where any ray may go anywhere: the solids are found by the balls around them.
+template <Real R, Value V>
+void find_closest(const Plan<R>& plan, const Ray<V>& ray, Hit<V>& best) {
+  find_closest(
+      plan, ray, [&](auto, int, const Ball<R>& ball) { return any_of(may_meet(ball, ray)); }, best);
+}
+
+/// The same for rays through the points `across` of a row of the picture.
+template <Real R, Value V>
+void find_closest(const Plan<R>& plan, const Ray<V>& ray, const RowSpans<R>& spans, const V& across,
+                  Hit<V>& best) {
+  const auto may_meet = [&](auto list, int i, const Ball<R>&) {
+    const Span<R>& span = (spans.*list)[std::size_t(i)];
+    return any_of((across >= span.low) & (across <= span.high));
+  };
+  find_closest(plan, ray, may_meet, best);
+}
+
+/// What a ray from the eye sees first among the objects that a camera sees.
+template <Real R, Value V = R>
+Hit<V> closest_hit(const Plan<R>& plan, const std::type_identity_t<Ray<V>>& ray) {
+  Hit<V> best;
+  find_closest(plan, ray, best);
   return best;
 }
 

@@ -55,10 +55,19 @@ Finish<V> finish_of(const Plan<R>& plan, const Hit<V>& hit) {
     return plan.finishes[std::size_t(std::max(hit.object, 0))];
   } else {
     Finish<V> all;
-    for (Mask<V> left = hit.object >= Index<V>(0); any_of(left);) {
+    const Mask<V> seen = hit.object >= Index<V>(0);
+    // Lanes that see nothing take a shininess that is there: powers of one exponent are cheaper.
+    if (any_of(seen)) {
+      all.shininess = V(plan.finishes[std::size_t(lane(hit.object, first_of(seen)))].shininess);
+    }
+    for (Mask<V> left = seen; any_of(left);) {
       const Scalar<V> object = lane(hit.object, first_of(left));
       const Finish<R>& one = plan.finishes[std::size_t(object)];
       const Mask<V> on = hit.object == Index<V>(object);
+      if (all_of(on)) {
+        return {Vec<V>(one.ambient), Vec<V>(one.diffuse), Vec<V>(one.specular),
+                V(one.shininess),    one.shiny,           one.reflects};
+      }
       all = {select(on, Vec<V>(one.ambient), all.ambient),
              select(on, Vec<V>(one.diffuse), all.diffuse),
              select(on, Vec<V>(one.specular), all.specular),
@@ -69,6 +78,25 @@ Finish<V> finish_of(const Plan<R>& plan, const Hit<V>& hit) {
     }
     return all;
   }
+}
+
+/// What is asked for, and how it is found.
+struct Task {
+  static constexpr bool kDoubts = false;  ///< squares that over- or underflow are only noted
+  bool edges, everything, sample_code;    ///< as in the plan
+  Counts* counts = nullptr;
+};
+
+/// Colours by the equation, the common case: the compiler leaves out all else.
+struct BareTask {
+  static constexpr bool kDoubts = true;
+  static constexpr bool edges = false, everything = false, sample_code = false;
+  static constexpr Counts* counts = nullptr;
+};
+
+template <Real R>
+Task task_of(const Plan<R>& plan, Counts* counts = nullptr) {
+  return {plan.edges, plan.everything, plan.sample_code, counts};
 }
 
 /// What one lamp does to a hit.
@@ -100,61 +128,82 @@ void weaken(const Lamp<R>& lamp, const Mask<V>& open, Incident<V>& light, Counts
   if (lamp.cone) counts->cones += points;
 }
 
-/// Where nothing stands between a hit and a lamp that reaches it.
+/// occluded(), apart from the code around it: that need not keep room for what it does in there.
 template <Real R, Value V>
+[[gnu::noinline]] Mask<V> hidden_from(const Plan<R>& plan, const Hit<V>& hit, Incident<V> light,
+                                      Mask<V> asked, const Suspects& suspects) {
+  return occluded(plan, hit, light, asked, suspects);
+}
+
+/// Where nothing stands between a hit and a lamp that reaches it.
+template <Real R, Value V, class T>
 Mask<V> unhidden(const Plan<R>& plan, const Hit<V>& hit, const LampTerms<V>& one,
-                 const Suspects& suspects, Counts* counts) {
+                 const Suspects* suspects, const T& task) {
   if (!plan.shadows && !plan.idle_shadows) return one.reached;
-  const Mask<V> asked = plan.everything ? hit.object >= Index<V>(0) : one.reached;
+  const Mask<V> asked = task.everything ? hit.object >= Index<V>(0) : one.reached;
   if (none_of(asked)) return one.reached;
-  if (counts) counts->shadow_rays += std::uint64_t(count_of(asked));
-  const Mask<V> hidden = occluded(plan, hit, one.light, asked, suspects);
+  if (task.counts) task.counts->shadow_rays += std::uint64_t(count_of(asked));
+  if (!suspects) return one.reached;
+  const Mask<V> hidden = hidden_from(plan, hit, one.light, asked, *suspects);
   return plan.shadows ? one.reached & !hidden : one.reached;
 }
 
-/// D and S of one lamp at a hit seen from the direction `eye` (unit, towards the eye).
-template <Real R, Value V>
-LampTerms<V> lamp_terms(const Plan<R>& plan, const Lamp<R>& lamp, const Hit<V>& hit,
-                        const Finish<V>& finish, const Vec<V>& eye,
-                        const Suspects& suspects = kEverything, Counts* counts = nullptr) {
+/// Whether the light of one lamp reaches a hit, and how much of it; no terms yet. Only the suspects
+/// can be in the way, if there are any. `doubt` as for direction_of().
+template <Real R, Value V, class T>
+LampTerms<V> reach(const Plan<R>& plan, const Lamp<R>& lamp, const Hit<V>& hit,
+                   const Mask<V>& reflects, const Suspects* suspects, const T& task,
+                   Doubt<V>* doubt = nullptr) {
   const Mask<V> seen = hit.object >= Index<V>(0);
   // Which side is it on? The sample code does not ask.
   LampTerms<V> result;
   Incident<V>& light = result.light;
-  light = aim(lamp, hit.point);
+  light = aim(lamp, hit.point, doubt);
   result.faces = dot(light.direction, hit.geometric) > R(0);
-  result.shades = dot(light.direction, hit.normal) > R(0);
+  result.shades = plan.smooth ? dot(light.direction, hit.normal) > R(0) : result.faces;
   // A surface that reflects nothing has edges all the same.
-  const Mask<V> wanted = plan.edges ? seen : seen & finish.reflects;
-  if (counts) counts->lamps += std::uint64_t(count_of(seen));
-  result.open = plan.sample_code ? wanted : wanted & result.faces & result.shades;
-  if (none_of(result.open) && !plan.everything) return result;
-
+  const Mask<V> wanted = task.edges ? seen : seen & reflects;
+  if (task.counts) task.counts->lamps += std::uint64_t(count_of(seen));
+  result.open = task.sample_code ? wanted : wanted & result.faces & result.shades;
+  if (none_of(result.open) && !task.everything) return result;
   // How much of it arrives?
-  weaken(lamp, result.open, light, counts);
-  result.reached = plan.sample_code ? result.open : result.open & (light.intensity > R(0));
-  result.lit = unhidden(plan, hit, result, suspects, counts);
-
-  // What does the surface answer?
-  const Mask<V> shiny = result.lit & finish.shiny;
-  const bool powers = any_of(shiny) || plan.everything;
-  if (none_of(result.lit) && !powers) return result;
-  if (counts && powers) counts->powers += std::uint64_t(count_of(plan.everything ? seen : shiny));
-  const Terms<V> terms = plan.sample_code
-                             ? sample_code_terms(light.direction, eye, hit.normal, finish.shininess,
-                                                 light.intensity, powers)
-                             : equation_terms(light.direction, eye, hit.normal, finish.shininess,
-                                              light.intensity, powers);
-  result.terms = {select(result.lit, terms.diffuse, V(R(0))),
-                  select(shiny, terms.specular, V(R(0)))};
+  weaken(lamp, result.open, light, task.counts);
+  result.reached = task.sample_code ? result.open : result.open & (light.intensity > R(0));
+  result.lit = unhidden(plan, hit, result, suspects, task);
   return result;
 }
 
-/// lamp_terms() of the finish that is hit.
+/// What the surface answers to a lamp's light: D and S at a hit seen from the direction `eye`
+/// (unit, towards the eye).
+template <Value V, class T>
+void answer(const Hit<V>& hit, const Mask<V>& may_shine, const Exponent<V>& shininess,
+            const Vec<V>& eye, const T& task, LampTerms<V>& one, Doubt<V>* doubt = nullptr) {
+  using R = Scalar<V>;
+  const Incident<V>& light = one.light;
+  const Mask<V> shiny = one.lit & may_shine;
+  const bool powers = any_of(shiny) || task.everything;
+  if (none_of(one.lit) && !powers) return;
+  if (task.counts && powers) {
+    const Mask<V> asked = task.everything ? hit.object >= Index<V>(0) : shiny;
+    task.counts->powers += std::uint64_t(count_of(asked));
+  }
+  const Terms<V> terms =
+      task.sample_code
+          ? sample_code_terms(light.direction, eye, hit.normal, shininess, light.intensity, powers)
+          : equation_terms(light.direction, eye, hit.normal, shininess, light.intensity, powers,
+                           doubt);
+  one.terms = {select(one.lit, terms.diffuse, V(R(0))), select(shiny, terms.specular, V(R(0)))};
+}
+
+/// D and S of one lamp at a hit seen from the direction `eye`, where anything may be in the way.
 template <Real R>
 LampTerms<R> lamp_terms(const Plan<R>& plan, const Lamp<R>& lamp, const Hit<R>& hit,
                         const Vec<R>& eye) {
-  return lamp_terms(plan, lamp, hit, finish_of(plan, hit), eye);
+  const Finish<R> finish = finish_of(plan, hit);
+  const Task task = task_of(plan);
+  LampTerms<R> one = reach(plan, lamp, hit, finish.reflects, &kEverything, task);
+  answer(hit, finish.shiny, Exponent<R>(finish.shininess), eye, task, one);
+  return one;
 }
 
 /// Collects what is discrete about the lamps of one light.
@@ -163,7 +212,7 @@ struct Edges {
   Mask<V> reached = false, lit = false, hidden = false, highlight = false;
   PerLane<std::uint64_t, V> signature{};
 
-  explicit Edges(const Hit<V>& hit) {
+  void start(const Hit<V>& hit) {
     // Near a silhouette an interpolated normal may be turned the other way than the geometric one.
     const Mask<V> turned = dot(hit.normal, hit.geometric) < Scalar<V>(0);
     for (int i = 0; i < kLanes<V>; ++i) at_lane(signature, i) = lane(turned, i);
@@ -190,39 +239,80 @@ struct Edges {
   }
 };
 
-/// D and S of one light at a hit seen from the direction `eye` (unit, towards the eye).
-template <Real R, Value V>
-LightTerms<V> light_terms(const Plan<R>& plan, const Source<R>& source, const Hit<V>& hit,
-                          const Finish<V>& finish, const Vec<V>& eye, Counts* counts = nullptr) {
+/// light_terms() of those lamps; with the task's own care, or with `doubt` (see direction_of()).
+template <std::size_t kBatch, Real R, Value V, class T>
+[[gnu::noinline, gnu::flatten]] LightTerms<V> terms_of_lamps(
+    const Plan<R>& plan, const Source<R>& source, const Hit<V>& hit, const Finish<V>& finish,
+    const Exponent<V>& shininess, const Vec<V>& eye, const Suspects* suspects, const T& task,
+    Doubt<V>* doubt) {
   LightTerms<V> total;
-  Edges<V> edges(hit);
+  Edges<V> edges;
+  if (task.edges) edges.start(hit);
   Total<V> diffuse, specular;
-  // One look at all that may be in the way pays off for several lamps.
-  const bool cull = plan.shadows && !plan.everything && source.lamps.size() > 3;
-  Suspects found;
-  if (cull) find_suspects(plan, source, hit, hit.object >= Index<V>(0), found);
-  const Suspects& suspects = cull ? found : kEverything;
-  for (const Lamp<R>& lamp : source.lamps) {
-    const LampTerms<V> one = lamp_terms(plan, lamp, hit, finish, eye, suspects, counts);
-    diffuse.add(one.terms.diffuse);
-    specular.add(one.terms.specular);
-    if (plan.sample_code) total.unoccluded += widen(select(one.lit, V(R(1)), V(R(0))));
-    if (plan.edges) edges.add(one);
+  Doubt<V> doubtful = false;
+  Doubt<V>* const doubts = T::kDoubts ? &doubtful : nullptr;
+  // Several lamps step by step: the processor works on one while it waits for another.
+  const Mask<V> reflects = finish.reflects, shiny = finish.shiny;
+  const std::size_t count = source.lamps.size();
+  LampTerms<V> batch[kBatch];
+  for (std::size_t first = 0; first < count; first += kBatch) {
+    const std::size_t length = std::min(kBatch, count - first);
+    for (std::size_t k = 0; k < length; ++k)
+      batch[k] = reach(plan, source.lamps[first + k], hit, reflects, suspects, task, doubts);
+    for (std::size_t k = 0; k < length; ++k)
+      answer(hit, shiny, shininess, eye, task, batch[k], doubts);
+    for (std::size_t k = 0; k < length; ++k) {
+      diffuse.add(batch[k].terms.diffuse);
+      specular.add(batch[k].terms.specular);
+      if (task.sample_code) total.unoccluded += widen(select(batch[k].lit, V(R(1)), V(R(0))));
+      if (task.edges) edges.add(batch[k]);
+    }
   }
   total.diffuse = diffuse.value() * Sum<V>(source.weight);
   total.specular = specular.value() * Sum<V>(source.weight);
-  if (plan.edges) {
+  if (task.edges) {
     total.signature = edges.signature;
     for (int i = 0; i < kLanes<V>; ++i) at_lane(total.flags, i) = edges.flags(i);
   }
+  if (T::kDoubts) *doubt = doubtful;
   return total;
 }
 
-/// light_terms() of the finish that is hit.
-template <Real R, Value V>
+/// D and S of one light at a hit seen from the direction `eye` (unit, towards the eye), of whose
+/// lamps only those nearby can be hidden from it.
+template <Real R, Value V, class T>
 LightTerms<V> light_terms(const Plan<R>& plan, const Source<R>& source, const Hit<V>& hit,
-                          const Vec<V>& eye) {
-  return light_terms(plan, source, hit, finish_of(plan, hit), eye);
+                          const Finish<V>& finish, const Exponent<V>& shininess, const Vec<V>& eye,
+                          const Suspects& nearby, const T& task) {
+  // One look at all that may be in the way pays off for several lamps.
+  const bool cull = plan.shadows && !task.everything && source.lamps.size() > 3;
+  Suspects found;
+  if (cull) find_suspects(plan, source, hit, hit.object >= Index<V>(0), nearby, found);
+  const Suspects* suspects = cull ? &found : &nearby;
+  if (suspects->empty()) suspects = nullptr;
+  const auto all_lamps = [&]<std::size_t kBatch>(const auto& asked, Doubt<V>& doubt) {
+    return terms_of_lamps<kBatch>(plan, source, hit, finish, shininess, eye, suspects, asked,
+                                  &doubt);
+  };
+  Doubt<V> doubt = false;
+  if constexpr (T::kDoubts) {
+    const LightTerms<V> terms = source.lamps.size() > 1
+                                    ? all_lamps.template operator()<8>(task, doubt)
+                                    : all_lamps.template operator()<1>(task, doubt);
+    if (none_of(doubt & (hit.object >= Index<V>(0)))) return terms;
+    return all_lamps.template operator()<1>(task_of(plan), doubt);
+  } else {
+    return all_lamps.template operator()<1>(task, doubt);
+  }
+}
+
+/// light_terms() of the finish that is hit, where anything may be in the way.
+template <Real R>
+LightTerms<R> light_terms(const Plan<R>& plan, const Source<R>& source, const Hit<R>& hit,
+                          const Vec<R>& eye) {
+  const Finish<R> finish = finish_of(plan, hit);
+  return light_terms(plan, source, hit, finish, Exponent<R>(finish.shininess), eye, kEverything,
+                     task_of(plan));
 }
 
 /// Slide 5 for one light: kd Id D + ks Is S per channel; the sample code adds A for each lamp in

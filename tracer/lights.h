@@ -108,6 +108,7 @@ std::vector<Vec<R>> area_samples(const AreaLight& light) {
 template <Real R>
 struct Lamp {
   bool directional = false, attenuated = false, cone = false;
+  bool spot = false;        ///< the cone is the scene's, not one that changes nothing
   bool everything = false;  ///< evaluate both attenuations and the cone, whether or not they matter
   Vec<R> origin;            ///< scene units; unused by a directional lamp
   Vec<R> toward;            ///< directional: unit vector towards the light
@@ -135,14 +136,18 @@ R surely_outside(R cutoff) {
   return R(cos(cutoff)) - 32 * kUnit<R>;
 }
 
-/// Where the lamp is, seen from `point`; nothing weakens it yet.
+/// Where the lamp is, seen from `point`; nothing weakens it yet. The angle to a spot's axis needs
+/// the last half unit of the direction near the cutoff, where the decay is small. `doubt` as for
+/// direction_of().
 template <Value V>
-Incident<V> aim(const Lamp<Scalar<V>>& lamp, const Vec<V>& point) {
+Incident<V> aim(const Lamp<Scalar<V>>& lamp, const Vec<V>& point, Doubt<V>* doubt = nullptr) {
   using R = Scalar<V>;
   if (lamp.directional) {
     return {Vec<V>(lamp.toward), V(std::numeric_limits<R>::infinity()), V(R(1)), true};
   }
-  const Direction<V> to_lamp = direction_of(Vec<V>(lamp.origin) - point);
+  const Vec<V> apart = Vec<V>(lamp.origin) - point;
+  const Direction<V> to_lamp = lamp.spot ? direction_of<Divide::Each>(apart, doubt)
+                                         : direction_of<Divide::Once>(apart, doubt);
   return {to_lamp.unit, to_lamp.length, V(R(1)), true};
 }
 

@@ -5,6 +5,10 @@
 // lane by lane, so a lane holds the bits that the same scalar operation gives.
 #pragma once
 
+#ifdef __AVX2__
+#include <immintrin.h>
+#endif
+
 #include <bit>
 #include <experimental/simd>
 
@@ -53,6 +57,135 @@ struct PacketMask {
   }
 };
 
+#ifdef __AVX512DQ__
+/// Whether the lanes fill a vector of AVX-512, whose masks are a bit a lane.
+template <class T, int N>
+concept FillsVector = std::is_floating_point_v<T> && N * sizeof(T) == 64;
+
+/// The same as bits: one instruction where g++ 12 makes several of the library's masks.
+template <class T, int N>
+requires FillsVector<T, N>
+struct PacketMask<T, N> {
+  using Bits = std::conditional_t<N == 8, __mmask8, __mmask16>;
+  Bits bits;
+
+  LITMUS_INLINE PacketMask() : bits(0) {}
+  LITMUS_INLINE PacketMask(bool all) : bits(all ? Bits(-1) : Bits(0)) {}
+  LITMUS_INLINE static PacketMask of(Bits bits) {
+    PacketMask mask;
+    mask.bits = bits;
+    return mask;
+  }
+
+  LITMUS_INLINE friend PacketMask operator&(const PacketMask& a, const PacketMask& b) {
+    if constexpr (N == 8) return of(_kand_mask8(a.bits, b.bits));
+    if constexpr (N == 16) return of(_kand_mask16(a.bits, b.bits));
+  }
+  LITMUS_INLINE friend PacketMask operator|(const PacketMask& a, const PacketMask& b) {
+    if constexpr (N == 8) return of(_kor_mask8(a.bits, b.bits));
+    if constexpr (N == 16) return of(_kor_mask16(a.bits, b.bits));
+  }
+  LITMUS_INLINE PacketMask operator!() const {
+    if constexpr (N == 8) return of(_knot_mask8(bits));
+    if constexpr (N == 16) return of(_knot_mask16(bits));
+  }
+  LITMUS_INLINE friend bool any_of(const PacketMask& mask) { return !none_of(mask); }
+  LITMUS_INLINE friend bool all_of(const PacketMask& mask) {
+    if constexpr (N == 8) return _kortestc_mask8_u8(mask.bits, mask.bits);
+    if constexpr (N == 16) return _kortestc_mask16_u8(mask.bits, mask.bits);
+  }
+  LITMUS_INLINE friend bool none_of(const PacketMask& mask) {
+    if constexpr (N == 8) return _kortestz_mask8_u8(mask.bits, mask.bits);
+    if constexpr (N == 16) return _kortestz_mask16_u8(mask.bits, mask.bits);
+  }
+  LITMUS_INLINE friend int count_of(const PacketMask& mask) {
+    return std::popcount(unsigned(mask.bits));
+  }
+  LITMUS_INLINE friend bool lane(const PacketMask& mask, int i) { return mask.bits >> i & 1; }
+  LITMUS_INLINE friend void set_lane(PacketMask& mask, int i, bool value) {
+    mask.bits = Bits((mask.bits & ~(1u << i)) | unsigned(value) << i);
+  }
+  LITMUS_INLINE friend int first_of(const PacketMask& mask) {
+    return std::countr_zero(unsigned(mask.bits));
+  }
+};
+#endif
+
+/// A comparison of IEEE 754, false where a number is none (NotEqual: true).
+enum class Comparison { Less, LessOrEqual, Equal, NotEqual };
+
+template <Comparison kWhich, class T, int N>
+LITMUS_INLINE inline PacketMask<T, N> compare(const Simd<T, N>& a, const Simd<T, N>& b) {
+#ifdef __AVX512DQ__
+  if constexpr (FillsVector<T, N>) {
+    constexpr int kPredicate = kWhich == Comparison::Less          ? _CMP_LT_OQ
+                               : kWhich == Comparison::LessOrEqual ? _CMP_LE_OQ
+                               : kWhich == Comparison::Equal       ? _CMP_EQ_OQ
+                                                                   : _CMP_NEQ_UQ;
+    if constexpr (N == 8) {
+      return PacketMask<T, N>::of(
+          _mm512_cmp_pd_mask(std::bit_cast<__m512d>(a), std::bit_cast<__m512d>(b), kPredicate));
+    } else {
+      return PacketMask<T, N>::of(
+          _mm512_cmp_ps_mask(std::bit_cast<__m512>(a), std::bit_cast<__m512>(b), kPredicate));
+    }
+  } else
+#endif
+  {
+    if constexpr (kWhich == Comparison::Less) return a < b;
+    if constexpr (kWhich == Comparison::LessOrEqual) return a <= b;
+    if constexpr (kWhich == Comparison::Equal) return a == b;
+    if constexpr (kWhich == Comparison::NotEqual) return a != b;
+  }
+}
+
+/// a where the mask is set, else b.
+template <class T, int N>
+LITMUS_INLINE inline Simd<T, N> blend(const PacketMask<T, N>& mask, const Simd<T, N>& a,
+                                      const Simd<T, N>& b) {
+#ifdef __AVX512DQ__
+  if constexpr (FillsVector<T, N>) {
+    if constexpr (N == 8) {
+      return std::bit_cast<Simd<T, N>>(
+          _mm512_mask_blend_pd(mask.bits, std::bit_cast<__m512d>(b), std::bit_cast<__m512d>(a)));
+    } else {
+      return std::bit_cast<Simd<T, N>>(
+          _mm512_mask_blend_ps(mask.bits, std::bit_cast<__m512>(b), std::bit_cast<__m512>(a)));
+    }
+  } else
+#endif
+  {
+    Simd<T, N> result = b;
+    stdx::where(mask.lanes, result) = a;
+    return result;
+  }
+}
+
+/// a * b + c, rounded once. The library takes it lane by lane.
+template <class T, int N>
+LITMUS_INLINE inline Simd<T, N> multiply_add(const Simd<T, N>& a, const Simd<T, N>& b,
+                                             const Simd<T, N>& c) {
+#ifdef __AVX512DQ__
+  if constexpr (N * sizeof(T) == 64 && sizeof(T) == 8) {
+    return std::bit_cast<Simd<T, N>>(_mm512_fmadd_pd(
+        std::bit_cast<__m512d>(a), std::bit_cast<__m512d>(b), std::bit_cast<__m512d>(c)));
+  } else if constexpr (N * sizeof(T) == 64) {
+    return std::bit_cast<Simd<T, N>>(_mm512_fmadd_ps(
+        std::bit_cast<__m512>(a), std::bit_cast<__m512>(b), std::bit_cast<__m512>(c)));
+  } else
+#endif
+#ifdef __AVX2__
+      if constexpr (N * sizeof(T) == 32 && sizeof(T) == 8) {
+    return std::bit_cast<Simd<T, N>>(_mm256_fmadd_pd(
+        std::bit_cast<__m256d>(a), std::bit_cast<__m256d>(b), std::bit_cast<__m256d>(c)));
+  } else if constexpr (N * sizeof(T) == 32) {
+    return std::bit_cast<Simd<T, N>>(_mm256_fmadd_ps(
+        std::bit_cast<__m256>(a), std::bit_cast<__m256>(b), std::bit_cast<__m256>(c)));
+  } else
+#endif
+    return stdx::fma(a, b, c);
+}
+
 template <class T, int N>
 struct Packet {
   using Mask = PacketMask<T, N>;
@@ -79,22 +212,22 @@ struct Packet {
   LITMUS_INLINE Packet& operator+=(const Packet& b) { return lanes += b.lanes, *this; }
 
   LITMUS_INLINE friend Mask operator<(const Packet& a, const Packet& b) {
-    return a.lanes < b.lanes;
+    return compare<Comparison::Less, T, N>(a.lanes, b.lanes);
   }
   LITMUS_INLINE friend Mask operator>(const Packet& a, const Packet& b) {
-    return a.lanes > b.lanes;
+    return compare<Comparison::Less, T, N>(b.lanes, a.lanes);
   }
   LITMUS_INLINE friend Mask operator<=(const Packet& a, const Packet& b) {
-    return a.lanes <= b.lanes;
+    return compare<Comparison::LessOrEqual, T, N>(a.lanes, b.lanes);
   }
   LITMUS_INLINE friend Mask operator>=(const Packet& a, const Packet& b) {
-    return a.lanes >= b.lanes;
+    return compare<Comparison::LessOrEqual, T, N>(b.lanes, a.lanes);
   }
   LITMUS_INLINE friend Mask operator==(const Packet& a, const Packet& b) {
-    return a.lanes == b.lanes;
+    return compare<Comparison::Equal, T, N>(a.lanes, b.lanes);
   }
   LITMUS_INLINE friend Mask operator!=(const Packet& a, const Packet& b) {
-    return a.lanes != b.lanes;
+    return compare<Comparison::NotEqual, T, N>(a.lanes, b.lanes);
   }
 
   LITMUS_INLINE friend Packet operator&(const Packet& a, const Packet& b) {
@@ -107,14 +240,14 @@ struct Packet {
   LITMUS_INLINE friend Packet operator>>(const Packet& a, int shift) { return a.lanes >> shift; }
 
   LITMUS_INLINE friend Packet select(const Mask& mask, const Packet& a, const Packet& b) {
-    Simd<T, N> result = b.lanes;
-    stdx::where(mask.lanes, result) = a.lanes;
-    return result;
+    return blend<T, N>(mask, a.lanes, b.lanes);
   }
   LITMUS_INLINE friend Packet sqrt(const Packet& a) { return stdx::sqrt(a.lanes); }
-  LITMUS_INLINE friend Packet fabs(const Packet& a) { return stdx::fabs(a.lanes); }
+  LITMUS_INLINE friend Packet fabs(const Packet& a) {
+    return from_bits(bits_of(a) & Packet<Unsigned, N>(~(Unsigned(1) << (8 * sizeof(T) - 1))));
+  }
   LITMUS_INLINE friend Packet fma(const Packet& a, const Packet& b, const Packet& c) {
-    return stdx::fma(a.lanes, b.lanes, c.lanes);
+    return multiply_add<T, N>(a.lanes, b.lanes, c.lanes);
   }
   LITMUS_INLINE friend T lane(const Packet& a, int i) { return a.lanes[std::size_t(i)]; }
   LITMUS_INLINE friend void set_lane(Packet& a, int i, T value) { a.lanes[std::size_t(i)] = value; }

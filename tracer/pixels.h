@@ -6,6 +6,7 @@
 #include "tracer/camera.h"
 #include "tracer/light_terms.h"
 #include "tracer/render.h"
+#include "tracer/spans.h"
 
 namespace litmus {
 
@@ -27,39 +28,57 @@ struct Seen {
   PerLane<std::uint8_t, V> flags{};
 };
 
-/// Looks through the point (x, y) of the picture, both from -1 (left, bottom) to 1, and calls
-/// visit(layer, seen) for each layer that shows anything, and for all if edges are asked for. Lanes
-/// that are not `inside` see nothing.
-template <Real R, Value V, class Visit>
-void look(const Plan<R>& plan, const V& x, const V& y, const Mask<V>& inside, Counts* counts,
-          Visit visit) {
-  const Ray<V> ray = camera_ray(plan.view, x, y);
-  Hit<V> hit = closest_hit<R, V>(plan, ray);
-  hit.object = select(inside, hit.object, Index<V>(-1));
-  Seen<V> object;
-  for (int i = 0; i < kLanes<V> && plan.edges; ++i) {
-    at_lane(object.signature, i) = std::uint64_t(lane(hit.object, i) + 1);
-  }
+/// What a sample of the picture sees.
+template <Value V>
+struct Shot {
+  Hit<V> hit;
+  Vec<V> eye;  ///< unit, towards the eye; unset if nothing is hit
+};
+
+/// Calls visit(layer, seen) for each layer that shows anything in a shot, and for all if edges are
+/// asked for. `suspects` are those of each light, or null: everything.
+template <Real R, Value V, class T, class Visit>
+void show(const Plan<R>& plan, const Shot<V>& shot, const Suspects* suspects, const T& task,
+          const Visit& visit) {
+  const Hit<V>& hit = shot.hit;
+  Seen<V> seen;
+  PerLane<std::uint64_t, V> numbers{};
+  for (int i = 0; i < kLanes<V> && task.edges; ++i)
+    at_lane(numbers, i) = std::uint64_t(lane(hit.object, i) + 1);
+  if (task.edges) seen.signature = numbers;
   if (none_of(hit.object >= Index<V>(0))) {
-    for (std::size_t k = 0; k <= plan.sources.size() && plan.edges; ++k) visit(k, object);
+    for (std::size_t k = 0; k <= plan.sources.size() && task.edges; ++k) visit(k, seen);
     return;
   }
-  const Vec<V> eye = -normalize<Divide::Once>(ray.direction);
   const Finish<V> finish = finish_of(plan, hit);
-  Seen<V> seen = object;
-  if (!plan.sample_code) seen.color = widen(finish.ambient) * Vec<Sum<V>>(widen(plan.ambient));
+  const Exponent<V> shininess(finish.shininess);
+  if (!task.sample_code) seen.color = widen(finish.ambient) * Vec<Sum<V>>(widen(plan.ambient));
   visit(std::size_t(0), seen);
   for (std::size_t k = 0; k < plan.sources.size(); ++k) {
-    const LightTerms<V> terms = light_terms(plan, plan.sources[k], hit, finish, eye, counts);
+    const LightTerms<V> terms = light_terms(plan, plan.sources[k], hit, finish, shininess, shot.eye,
+                                            suspects ? suspects[k] : kEverything, task);
     seen.color = light_color(plan, plan.sources[k], finish, terms);
-    seen.flags = terms.flags;
-    for (int i = 0; i < kLanes<V> && plan.edges; ++i) {
-      const std::uint64_t& number = at_lane(object.signature, i);
-      at_lane(seen.signature, i) =
-          lane(hit.object, i) >= 0 ? mix(number, at_lane(terms.signature, i)) : number;
+    if (task.edges) {
+      seen.flags = terms.flags;
+      for (int i = 0; i < kLanes<V>; ++i) {
+        const std::uint64_t number = at_lane(numbers, i);
+        at_lane(seen.signature, i) =
+            lane(hit.object, i) >= 0 ? mix(number, at_lane(terms.signature, i)) : number;
+      }
     }
     visit(k + 1, seen);
   }
+}
+
+/// Looks through the point (x, y) of the picture, both from -1 (left, bottom) to 1, and shows what
+/// is seen there.
+template <Real R, class Visit>
+void look(const Plan<R>& plan, const R& x, const R& y, const Visit& visit) {
+  const Ray<R> ray = camera_ray(plan.view, x, y);
+  Shot<R> shot;
+  find_closest(plan, ray, shot.hit);
+  shot.eye = -normalize<Divide::Once>(ray.direction);
+  show(plan, shot, nullptr, task_of(plan), visit);
 }
 
 /// Writes a colour's lanes to the pixels from x on, as many as are left in the row.
@@ -74,12 +93,20 @@ void store(const Vec<S>& color, Picture& picture, int x, int y) {
   }
 }
 
-/// What a pixel of each lane adds up to over its samples.
+/// Values side by side in a row, whose lights share one look at what may be in their way.
 template <Value V>
-struct PixelSums {
-  std::vector<Vec<Sum<V>>> layers;  ///< empty unless layers are asked for
-  Vec<Sum<V>> whole;
-  V lane_numbers;  ///< 0, 1, ...
+inline constexpr int kStretch = kLanes<V> == 1 ? 32 : 8;
+
+/// What the loop over a row needs.
+template <Value V>
+struct Row {
+  using R = Scalar<V>;
+  V lane_numbers;                  ///< 0, 1, ...
+  std::vector<RowSpans<R>> spans;  ///< of each row of samples
+  std::vector<Suspects> suspects;  ///< of each light, for a stretch
+  Shot<V> shots[kStretch<V>];
+  Vec<Sum<V>> whole[kStretch<V>];   ///< what a pixel of each lane adds up to over its samples
+  std::vector<Vec<Sum<V>>> layers;  ///< the same, layer by layer; empty unless layers are asked for
 };
 
 /// Mixes a sample's signature and flags into those of the pixels from x on.
@@ -94,50 +121,99 @@ void add_edges(const Seen<V>& seen, int x, int y, Signature& signature,
   }
 }
 
-/// The pixels x, x + 1, ... of a row, one for each lane of V.
-template <Value V, Real R>
-void render_pixels(const Plan<R>& plan, const RenderOptions& options, int x, int y,
-                   PixelSums<V>& sums, Rendering& result, Counts* counts) {
+/// What the lights of a stretch may be hidden by; null where that is not asked.
+template <Value V, Real R, class T>
+const Suspects* suspects_of(const Plan<R>& plan, const T& task, int count, Row<V>& row) {
+  if (!plan.shadows || task.everything) return nullptr;
+  RegionOf<V> points;
+  for (int k = 0; k < count; ++k) points.add(row.shots[k].hit);
+  const Region region = points.region();
+  for (std::size_t i = 0; i < plan.sources.size() && !region.empty; ++i)
+    find_suspects(plan, plan.sources[i], region, row.suspects[i]);
+  return row.suspects.data();
+}
+
+/// A stretch of `count` values from x on; each lane is a pixel.
+template <Value V, Real R, class T>
+void render_stretch(const Plan<R>& plan, const RenderOptions& options, const T& task, int x, int y,
+                    int count, Row<V>& row, Rendering& result) {
   const View<R>& view = plan.view;
   const int n = view.samples;
+  const std::size_t layers = row.layers.size() / kStretch<V>;
   const R shift_x = R(2 * options.shift_x * n), shift_y = R(2 * options.shift_y * n);
-  const V column = R(n) * (R(x) + sums.lane_numbers);
-  const Mask<V> inside = R(x) + sums.lane_numbers < R(view.width);
-  std::fill(sums.layers.begin(), sums.layers.end(), Vec<Sum<V>>{});
-  sums.whole = {};
+  std::fill(row.layers.begin(), row.layers.end(), Vec<Sum<V>>{});
+  std::fill(row.whole, row.whole + count, Vec<Sum<V>>{});
   for (int j = 0; j < n; ++j) {
+    const R up = -screen<R>(R(y * n + j), view.height * n, shift_y);
     for (int i = 0; i < n; ++i) {
-      const V across = screen<V>(column + R(i), view.width * n, shift_x);
-      const V up = -screen<R>(R(y * n + j), view.height * n, shift_y);
-      look(plan, across, up, inside, counts, [&](std::size_t k, const Seen<V>& seen) {
-        sums.whole = sums.whole + seen.color;
-        if (!sums.layers.empty()) sums.layers[k] = sums.layers[k] + seen.color;
-        if (plan.edges) add_edges(seen, x, y, result.signatures[k], result.flags[k]);
-      });
+      for (int k = 0; k < count; ++k) {
+        const V column = R(x + k * kLanes<V>) + row.lane_numbers;
+        const V across = screen<V>(R(n) * column + R(i), view.width * n, shift_x);
+        const Ray<V> ray = camera_ray(view, across, V(up));
+        Shot<V>& shot = row.shots[k];
+        if (task.everything) {
+          find_closest(plan, ray, shot.hit);
+        } else {
+          find_closest(plan, ray, row.spans[std::size_t(j)], across, shot.hit);
+        }
+        shot.hit.object = select(column < R(view.width), shot.hit.object, Index<V>(-1));
+        shot.eye = -normalize<Divide::Once>(ray.direction);
+      }
+      const Suspects* const suspects = suspects_of(plan, task, count, row);
+      for (int k = 0; k < count; ++k) {
+        show(plan, row.shots[k], suspects, task, [&](std::size_t layer, const Seen<V>& seen) {
+          row.whole[k] = row.whole[k] + seen.color;
+          if (layers > 0) {
+            Vec<Sum<V>>& sum = row.layers[std::size_t(k) * layers + layer];
+            sum = sum + seen.color;
+          }
+          if (task.edges) {
+            add_edges(seen, x + k * kLanes<V>, y, result.signatures[layer], result.flags[layer]);
+          }
+        });
+      }
     }
   }
   const auto mean = [&](const Vec<Sum<V>>& sum) {
     return n == 1 ? sum : sum / Sum<V>(Sum<R>(n * n));
   };
-  for (std::size_t k = 0; k < sums.layers.size(); ++k) {
-    store(mean(sums.layers[k]), result.layers[k].picture, x, y);
+  for (int k = 0; k < count; ++k) {
+    for (std::size_t layer = 0; layer < layers; ++layer) {
+      store(mean(row.layers[std::size_t(k) * layers + layer]), result.layers[layer].picture,
+            x + k * kLanes<V>, y);
+    }
+    store(mean(row.whole[k]), result.whole, x + k * kLanes<V>, y);
   }
-  store(mean(sums.whole), result.whole, x, y);
 }
 
 /// One row of the picture, in each of its layers.
 template <Value V, Real R>
 void render_row(const Plan<R>& plan, const RenderOptions& options, int y, Rendering& result,
                 Counts* counts) {
-  PixelSums<V> sums;
-  for (int i = 0; i < kLanes<V>; ++i) set_lane(sums.lane_numbers, i, R(i));
-  if (options.layers) sums.layers.resize(result.layers.size());
-  for (int x = 0; x < plan.view.width; x += kLanes<V>) {
-    render_pixels(plan, options, x, y, sums, result, counts);
+  const View<R>& view = plan.view;
+  const Task task = task_of(plan, counts);
+  const bool bare = !task.edges && !task.everything && !task.sample_code && !counts;
+  Row<V> row;
+  for (int i = 0; i < kLanes<V>; ++i) set_lane(row.lane_numbers, i, R(i));
+  if (options.layers) row.layers.resize(result.layers.size() * kStretch<V>);
+  row.suspects.resize(plan.sources.size());
+  row.spans.resize(std::size_t(view.samples));
+  for (int j = 0; j < view.samples && !plan.everything; ++j) {
+    const R shift = R(2 * options.shift_y * view.samples);
+    find_spans(plan, R(-screen<R>(R(y * view.samples + j), view.height * view.samples, shift)),
+               row.spans[std::size_t(j)]);
+  }
+  for (int x = 0; x < view.width; x += kStretch<V> * kLanes<V>) {
+    const int left = (view.width - x + kLanes<V> - 1) / kLanes<V>;
+    const int count = std::min(left, kStretch<V>);
+    if (bare) {
+      render_stretch(plan, options, BareTask{}, x, y, count, row, result);
+    } else {
+      render_stretch(plan, options, task, x, y, count, row, result);
+    }
   }
   if (counts) {
-    counts->camera_rays +=
-        std::uint64_t(plan.view.width) * std::uint64_t(plan.view.samples * plan.view.samples);
+    counts->camera_rays += std::uint64_t(view.width) * std::uint64_t(view.samples * view.samples);
   }
 }
 

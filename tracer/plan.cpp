@@ -32,7 +32,7 @@ std::vector<Lamp<R>> lamps_of(const Light& light, const Effects& effects) {
                         },
                         [](const SpotLight& spot) {
                           Lamp<R> lamp = point_lamp(spot.point, Vec<R>(spot.point.origin));
-                          lamp.cone = true;
+                          lamp.cone = lamp.spot = true;
                           lamp.axis = normalize(Vec<R>(spot.direction));
                           lamp.cutoff = R(spot.cutoff), lamp.exponent = R(spot.exponent);
                           lamp.outside = surely_outside(lamp.cutoff);
@@ -76,7 +76,7 @@ void add_triangle(Plan<R>& plan, int object, const std::array<Vec<R>, 3>& corner
   info.object = object;
   info.normal = normalize(cross(corners[1] - corners[0], corners[2] - corners[0]));
   if (info.normal == Vec<R>{}) return;
-  if (normals) info.normals = *normals, info.smooth = true;
+  if (normals) info.normals = *normals, info.smooth = plan.smooth = true;
   plan.triangles.push_back(corners);
   plan.triangle_info.push_back(info);
 }

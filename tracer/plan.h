@@ -67,6 +67,7 @@ struct Plan {
   std::vector<Finish<R>> finishes;   ///< per object
   std::vector<Source<R>> sources;    ///< per light
   Vec<R> ambient;                    ///< Ia: the scene's and every light's, added once
+  bool smooth = false;               ///< some normal is not that of its surface
   bool shadows = true;
   bool sample_code = false;
   bool edges = true;          ///< signatures and flags are asked for

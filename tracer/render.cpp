@@ -118,7 +118,7 @@ Probe probe(const Scene& scene, const RenderOptions& options) {
     for (int sample = 0; sample < n * n; ++sample) {
       const double dx = (sample % n + 0.5) / n - 0.5 + options.shift_x;
       const double dy = (sample / n + 0.5) / n - 0.5 + options.shift_y;
-      look(*plan, 2 * (x + dx) / view.width - 1, 1 - 2 * (y + dy) / view.height, true, nullptr,
+      look(*plan, 2 * (x + dx) / view.width - 1, 1 - 2 * (y + dy) / view.height,
            [&](std::size_t k, const Seen<double>& seen) {
              colors[k] += to_double(seen.color) / double(n * n);
            });

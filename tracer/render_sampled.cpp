@@ -141,7 +141,7 @@ void look(const Setup& setup, double x, double y, std::uint64_t number, double w
     const SampledSource& one = setup.sources[i];
     Answer answer;
     if (!one.panel) {
-      answer.terms = light_terms(plan, *one.source, hit, finish, eye);
+      answer.terms = light_terms(plan, *one.source, hit, eye);
     } else if (setup.options.sampler == Sampler::Certified) {
       answer = by_proof(setup, one, hit, eye);
       add(light_color(plan, *one.source, finish, answer.bound), result.bound);

@@ -16,50 +16,143 @@ struct Terms {
 
 /// h = normalize(l + e), slide 5, of two unit vectors, with the length of l + e; zero for e = -l.
 template <Value V>
-Direction<V> half_vector(const Vec<V>& l, const Vec<V>& e) {
-  return direction_of<Divide::Once>(l + e);
+Direction<V> half_vector(const Vec<V>& l, const Vec<V>& e, Doubt<V>* doubt = nullptr) {
+  return direction_of<Divide::Once>(l + e, doubt);
+}
+
+/// The largest shininess that is a power by multiplications; they take longer than the logarithm
+/// and exponential of any power from there on.
+inline constexpr int kMostWhole = 256;
+
+/// A shininess ns >= 0, and what the power needs to know of it: asked once for many lights.
+template <Value V>
+struct Exponent {
+  V value{};
+  Mask<V> whole = false;  ///< a whole number from 1 to kMostWhole
+  int shared = 0;         ///< the whole number that all lanes have; else 0
+  bool broad = true;      ///< some lane is below 3
+
+  Exponent() = default;
+  Exponent(const V& value) : value(value) {
+    using R = Scalar<V>;
+    broad = any_of(value < R(3));
+    if constexpr (kOwnMath<R>) {
+      // Adding this leaves no bit for a fraction.
+      constexpr R kShift = R(3) * two_to<R>(std::numeric_limits<R>::digits - 2);
+      whole = (value >= R(1)) & (value <= R(kMostWhole)) & ((value + kShift) - kShift == value);
+      const R first = lane(value, 0);
+      if (all_of(whole) && all_of(value == first)) shared = int(first);
+    }
+  }
+};
+
+/// a * b of two numbers known to twice their digits.
+template <Value V>
+Rounded<V> product(const Rounded<V>& a, const Rounded<V>& b) {
+  using std::fma;
+  const V value = a.value * b.value;
+  return {value, fma(a.value, b.value, -value) + (a.value * b.rest + a.rest * b.value)};
+}
+
+template <Value V>
+Rounded<V> squared(const Rounded<V>& a) {
+  using std::fma;
+  const V value = a.value * a.value;
+  return {value, fma(a.value, a.value, -value) + (a.value + a.value) * a.rest};
+}
+
+/// x^n where n is whole, for an x known to twice its digits: by squaring, with the rounding error
+/// of every product carried along, so that the last addition loses half a unit in the last place
+/// and all before next to nothing.
+template <Value V>
+V whole_power(const Rounded<V>& x, const Exponent<V>& n) {
+  using R = Scalar<V>;
+  Rounded<V> square = x;
+  if (n.shared > 0) {
+    int bits = n.shared;
+    for (; !(bits & 1); bits >>= 1) square = squared(square);
+    Rounded<V> result = square;
+    while (bits >>= 1) {
+      square = squared(square);
+      if (bits & 1) result = product(result, square);
+    }
+    return result.value + result.rest;
+  } else {
+    Rounded<V> result{V(R(1)), V(R(0))};
+    constexpr R kShift = R(3) * two_to<R>(std::numeric_limits<R>::digits - 2);
+    for (V left = select(n.whole, n.value, V(R(0))); any_of(left > R(0));) {
+      const V half = ((left * R(0.5) - R(0.25)) + kShift) - kShift;  // rounded down
+      const Mask<V> odd = left != half + half;
+      const Rounded<V> more = product(result, square);
+      result = {select(odd, more.value, result.value), select(odd, more.rest, result.rest)};
+      square = squared(square);
+      left = half;
+    }
+    return result.value + result.rest;
+  }
+}
+
+/// x^n of an x known to twice its digits, x <= 1; some finite number where x is not positive.
+template <Value V>
+V power_of(const Rounded<V>& x, const Exponent<V>& n) {
+  using R = Scalar<V>;
+  const auto general = [&] {
+    const Mask<V> ahead = x.value >= std::numeric_limits<R>::min();
+    const V value = select(ahead, x.value, V(R(1))), rest = select(ahead, x.rest, V(R(0)));
+    return exp_of(V(n.value * log_of_sum(value, rest)));
+  };
+  if constexpr (kOwnMath<Scalar<V>>) {
+    if (all_of(n.whole)) return whole_power(x, n);
+    if (any_of(n.whole)) return select(n.whole, whole_power(x, n), general());
+  }
+  return general();
 }
 
 /// (h.n)^ns of two unit vectors with h.n > 0, never above 1. h.n is 1 - |n - h|^2 / 2, whose digits
 /// last near the peak, where h.n itself has lost them; it is a compensated product where a broad
 /// highlight is seen more than 60 degrees off its peak, where the difference has lost them. (With
-/// ns from 3 on, nothing above 1/8 is so far off.) At most 12 ulp from quad precision where it is
-/// above 1/7, for ns up to 1e6; up to 29 ulp where it is above 1/64.
+/// ns from 3 on, nothing above 1/8 is so far off.) The power is made of multiplications for a whole
+/// ns up to kMostWhole, else by logarithm and exponential. At most 12 ulp from quad precision where
+/// it is above 1/7, for ns up to 1e6; up to 29 ulp where it is above 1/64.
 template <Value V>
-V power_of_cosine(const Vec<V>& h, const Vec<V>& n, const V& shininess) {
+V power_of_cosine(const Vec<V>& h, const Vec<V>& n,
+                  const std::type_identity_t<Exponent<V>>& shininess) {
   using R = Scalar<V>;
   const Vec<V> apart = n - h;
   const V shortfall = dot(apart, apart) * R(0.5);
   V cosine = R(1) - shortfall, rest = (R(1) - cosine) - shortfall;
-  const Mask<V> broad = (shortfall > R(0.5)) & (shininess < R(3));
-  if (!none_of(broad)) {
-    const Rounded<V> product = compensated_dot(h, n);
-    cosine = select(broad, product.value, cosine), rest = select(broad, product.rest, rest);
+  if (shininess.broad) {
+    const Mask<V> far = (shortfall > R(0.5)) & (shininess.value < R(3));
+    const Rounded<V> exact = compensated_dot(h, n);
+    cosine = select(far, exact.value, cosine), rest = select(far, exact.rest, rest);
   }
   const Mask<V> ahead = cosine >= std::numeric_limits<R>::min();
-  const V logarithm = log_of_sum(select(ahead, cosine, V(R(1))), select(ahead, rest, V(R(0))));
-  const V power = exp_of(V(shininess * logarithm));
+  const V power = power_of<V>({cosine, rest}, shininess);
   return select(ahead, power, V(R(0)));
 }
 
-/// (h.n)^ns, slide 5; 0 where h.n <= 0 and for e = -l. All vectors are unit.
+/// (h.n)^ns, slide 5; 0 where h.n <= 0 and for e = -l. All vectors are unit. `doubt` as for
+/// direction_of().
 template <Value V>
-V specular_power(const Vec<V>& l, const Vec<V>& e, const Vec<V>& n, const V& shininess) {
+V specular_power(const Vec<V>& l, const Vec<V>& e, const Vec<V>& n,
+                 const std::type_identity_t<Exponent<V>>& shininess, Doubt<V>* doubt = nullptr) {
   using R = Scalar<V>;
-  const Vec<V> h = half_vector(l, e).unit;
+  const Vec<V> h = half_vector(l, e, doubt).unit;
   return select(dot(h, n) > R(0), power_of_cosine(h, n, shininess), V(R(0)));
 }
 
 /// The equation's gate: a light behind the surface adds nothing, specular included.
 template <Value V>
-Terms<V> equation_terms(const Vec<V>& l, const Vec<V>& e, const Vec<V>& n, const V& shininess,
-                        const V& intensity, bool wants_specular) {
+Terms<V> equation_terms(const Vec<V>& l, const Vec<V>& e, const Vec<V>& n,
+                        const std::type_identity_t<Exponent<V>>& shininess, const V& intensity,
+                        bool wants_specular, Doubt<V>* doubt = nullptr) {
   using R = Scalar<V>;
   const V cosine = dot(l, n), none = R(0);
   const Mask<V> faces = cosine > R(0);
   Terms<V> terms{select(faces, V(intensity * cosine), none), none};
   if (wants_specular) {
-    terms.specular = select(faces, V(intensity * specular_power(l, e, n, shininess)), none);
+    const V power = specular_power(l, e, n, shininess, doubt);
+    terms.specular = select(faces, V(intensity * power), none);
   }
   return terms;
 }
@@ -67,8 +160,9 @@ Terms<V> equation_terms(const Vec<V>& l, const Vec<V>& e, const Vec<V>& n, const
 /// The sample code's reading: the specular term is not gated on n.l. (n.h is clamped at 0 so that
 /// it is finite.)
 template <Value V>
-Terms<V> sample_code_terms(const Vec<V>& l, const Vec<V>& e, const Vec<V>& n, const V& shininess,
-                           const V& intensity, bool wants_specular) {
+Terms<V> sample_code_terms(const Vec<V>& l, const Vec<V>& e, const Vec<V>& n,
+                           const std::type_identity_t<Exponent<V>>& shininess, const V& intensity,
+                           bool wants_specular) {
   using R = Scalar<V>;
   const V cosine = dot(l, n), none = R(0);
   return {select(cosine > R(0), V(intensity * cosine), none),

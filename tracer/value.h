@@ -187,8 +187,7 @@ struct Direction {
 
 /// How a vector is divided by its length: each component, so that a vector along an axis stays
 /// there to the last digit, or by one reciprocal, which costs half a unit in the last place and
-/// saves two of the operations that the kernel spends most of its time on. (The angle to a spot's
-/// axis needs that half unit near the cutoff, where the decay is small.)
+/// saves two of the operations that the kernel spends most of its time on.
 enum class Divide { Each, Once };
 
 template <Divide kDivide, Value V>
@@ -216,15 +215,24 @@ LITMUS_COLD Direction<V> scaled_direction_of(Vec<V> v) {
           select(sound, V(length / scale), V(R(0)))};
 }
 
+/// Where a square may have over- or underflown, so that a result must be found with more care.
+template <Value V>
+using Doubt = Mask<V>;
+
 /// Splits a vector into its direction and its length, both to a few ulp for any finite vector.
+/// With `doubt`, only for vectors whose square neither over- nor underflows; it notes the others.
 template <Divide kDivide = Divide::Each, Value V>
-Direction<V> direction_of(const Vec<V>& v) {
+Direction<V> direction_of(const Vec<V>& v, Doubt<V>* doubt = nullptr) {
   using std::sqrt;
   using R = Scalar<V>;
   const V squared = dot(v, v);
   const Mask<V> safe = (squared > SafeSquares<R>::kSmall) & (squared < SafeSquares<R>::kLarge);
   const V length = sqrt(squared);
   const Direction<V> plain{divide<kDivide>(v, length), length};
+  if (doubt) {
+    *doubt = *doubt | !safe;
+    return plain;
+  }
   if (all_of(safe)) return plain;
   const Direction<V> careful = scaled_direction_of<kDivide>(v);
   return {select(safe, plain.unit, careful.unit), select(safe, plain.length, careful.length)};

@@ -107,12 +107,19 @@ struct ShortList {
   bool all = true;
   int count = 0;
   std::array<int, kMost> numbers;
+
+  bool empty() const { return !all && count == 0; }
 };
 
 /// What to ask for in the plan's lists.
 struct Suspects {
   ShortList spheres, boxes, planes;
   bool triangles = true;
+  bool own = true;  ///< the far sides of the solids that are hit, too
+
+  bool empty() const {
+    return !own && !triangles && spheres.empty() && boxes.empty() && planes.empty();
+  }
 };
 
 inline const Suspects kEverything{};
@@ -133,13 +140,15 @@ bool visit_parts(const Parts& parts, const ShortList& list, Visit visit) {
 /// out where it is flat; where it is a sphere or a box, only its far side can be in the way.
 template <Real R, Value V, class Visit>
 bool visit_blockers(const Plan<R>& plan, const Hit<V>& hit, const ShadowRay<V>& shadow,
-                    const Suspects& suspects, Visit visit) {
+                    const Mask<V>& asked, const Suspects& suspects, Visit visit) {
   const auto visit_solid = [&](int, const auto& part) {
-    const Mask<V> own = hit.object == Index<V>(part.object);
-    const Mask<V> may = !own & may_meet(ball_around(part.shape), shadow.ray);
+    const Mask<V> own = hit.object == Index<V>(part.object), others = asked & !own;
     Mask<V> met = false;
-    if (any_of(may)) met = may & blocks(part.shape, shadow);
-    if (any_of(own)) {
+    if (any_of(others)) {
+      const Mask<V> may = others & may_meet(ball_around(part.shape), shadow.ray);
+      if (any_of(may)) met = may & blocks(part.shape, shadow);
+    }
+    if (suspects.own && any_of(own)) {
       const V exit = own_exit(part.shape, hit, shadow.ray);
       met = met | (own & (exit > R(0)) & (exit < shadow.ray.limit - shadow.slack));
     }
@@ -149,7 +158,7 @@ bool visit_blockers(const Plan<R>& plan, const Hit<V>& hit, const ShadowRay<V>& 
          visit_parts(plan.boxes, suspects.boxes, visit_solid) ||
          visit_parts(plan.planes, suspects.planes, [&](int, const auto& part) {
            const Mask<V> own = hit.object == Index<V>(part.object);
-           if (all_of(own)) return false;
+           if (none_of(asked & !own)) return false;
            const V slope = dot(Vec<V>(part.shape.normal), shadow.ray.direction);
            const V t = intersect(part.shape, shadow.ray);
            return visit(part.object, !own & shadow.meets(t, slope, max_abs(part.shape.point)));
@@ -188,10 +197,11 @@ template <Real R>
 int first_blocker(const Plan<R>& plan, const Hit<R>& hit, const Incident<R>& light) {
   const ShadowRay<R> shadow = shadow_ray(hit, light);
   int blocker = -1;
-  const bool found = visit_blockers(plan, hit, shadow, kEverything, [&](int object, bool blocked) {
-    blocker = object;
-    return blocked;
-  });
+  const bool found =
+      visit_blockers(plan, hit, shadow, true, kEverything, [&](int object, bool blocked) {
+        blocker = object;
+        return blocked;
+      });
   return found ? blocker : blocking_triangle(plan, shadow, own_triangle(hit, 0));
 }
 
@@ -200,10 +210,11 @@ int first_blocker(const Plan<R>& plan, const Hit<R>& hit, const Incident<R>& lig
 template <Real R, Value V>
 Mask<V> occluded(const Plan<R>& plan, const Hit<V>& hit, const Incident<V>& light,
                  const Mask<V>& asked = true, const Suspects& suspects = kEverything) {
+  if (suspects.empty()) return false;
   const ShadowRay<V> shadow = shadow_ray(hit, light);
   Mask<V> blocked = !asked;
   const bool all_blocked =
-      visit_blockers(plan, hit, shadow, suspects, [&](int, const Mask<V>& by_one) {
+      visit_blockers(plan, hit, shadow, asked, suspects, [&](int, const Mask<V>& by_one) {
         blocked = blocked | by_one;
         return all_of(blocked);
       });

@@ -87,6 +87,16 @@ TEST(Kernel, GivesTheSameBitsWithoutLayersAndEdges) {
   }
 }
 
+TEST(Kernel, GivesTheSameBitsWhereALampIsAtThePointSeen) {  // no direction, and no distance
+  Scene scene = floor_from_above(5);
+  scene.materials[0].specular = Color(0.5);
+  scene.lights = {bulb({0, 0, 0}), bulb({0, 0, 10})};  // the second straight behind the eye
+  RenderOptions bare;
+  bare.layers = bare.edges = false;
+  EXPECT_EQ(render(scene, bare).whole.pixels, render(scene).whole.pixels);
+  EXPECT_EQ(render(scene, bare).whole.pixels, render(scene, scalar()).whole.pixels);
+}
+
 TEST(Kernel, GivesTheSameBitsOnOneThreadAndOnSeveral) {
   for (const Scene& scene : canonical_scenes()) {
     RenderOptions one, three;
