@@ -17,20 +17,20 @@ Scene floor_in_perspective() {
   return scene;
 }
 
-struct Found {
+struct SpanRays {
   int outside = 0;  ///< rays that meet the ball outside of its span
   int inside = 0, needless = 0;
 };
 
 /// All rays of all rows of a picture towards balls in front of the eye, beside and behind it.
 template <Real R>
-Found look_at_balls(double away) {
+SpanRays look_at_balls(double away) {
   Scene scene = floor_in_perspective();
   scene.camera.eye += Vector(away, 0, 0), scene.camera.target += Vector(away, 0, 0);
   const Plan<R> plan = lower<R>(scene);
   std::mt19937_64 engine{5};
   std::uniform_real_distribution<double> place(-6, 6), size(0.01, 2);
-  Found found;
+  SpanRays found;
   for (int ball = 0; ball < 300; ++ball) {
     const SphereSurface<R> sphere{
         Vec<R>{R(away + place(engine)), R(place(engine)), R(place(engine) + 8)}, R(size(engine))};
@@ -52,7 +52,7 @@ Found look_at_balls(double away) {
 
 TEST(SpanOf, HoldsEveryRayThatMeetsTheBall) {
   for (const double away : {0.0, 1e5}) {
-    const Found exact = look_at_balls<double>(away), rounded = look_at_balls<float>(away);
+    const SpanRays exact = look_at_balls<double>(away), rounded = look_at_balls<float>(away);
     EXPECT_EQ(exact.outside, 0) << away;
     EXPECT_EQ(rounded.outside, 0) << away;
     EXPECT_GT(exact.inside, 1000) << away;

@@ -13,7 +13,7 @@ namespace {
 
 using V3 = Vec<double>;
 
-struct Random {
+struct Chance {
   std::mt19937_64 engine{3};
   double operator()(double low, double high) {
     return std::uniform_real_distribution<double>(low, high)(engine);
@@ -26,7 +26,7 @@ bool lists(const ShortList& list, int number) {
 }
 
 /// Balls, boxes and a wall about a floor, under one light.
-Scene crowd(Random& random, const Light& light) {
+Scene crowd(Chance& random, const Light& light) {
   Scene scene = floor_from_above(40);
   for (int i = 0; i < 6; ++i) {
     const Point at(random(-3, 3), random(-3, 3), random(0.5, 3));
@@ -41,7 +41,7 @@ Scene crowd(Random& random, const Light& light) {
 }
 
 /// Hits on a patch of the floor.
-std::vector<Hit<double>> patch(const Plan<double>& plan, Random& random) {
+std::vector<Hit<double>> patch(const Plan<double>& plan, Chance& random) {
   const double x = random(-2, 2), y = random(-2, 2), size = random(0.01, 0.5);
   std::vector<Hit<double>> hits;
   for (int i = 0; i < 30; ++i) {
@@ -52,11 +52,11 @@ std::vector<Hit<double>> patch(const Plan<double>& plan, Random& random) {
   return hits;
 }
 
-struct Found {
+struct Shadows {
   int hidden = 0, missed = 0, listed = 0, all = 0;
 };
 
-void check(const Plan<double>& plan, Random& random, Found& found) {
+void compare_shadows(const Plan<double>& plan, Chance& random, Shadows& found) {
   RegionOf<double> points;
   const std::vector<Hit<double>> hits = patch(plan, random);
   for (const Hit<double>& hit : hits) points.add(hit);
@@ -77,14 +77,15 @@ void check(const Plan<double>& plan, Random& random, Found& found) {
 }
 
 TEST(FindSuspects, ListsWhateverHidesALampFromAPointOfTheRegion) {
-  Random random;
+  Chance random;
   AreaLight panel;
   panel.point.origin = {0.3, -0.4, 4}, panel.normal = Vector{0, 0.1, -1};
   panel.width = 1.5, panel.height = 0.7, panel.columns = panel.rows = 3;
   for (const Light& light : {make_light(panel), make_light(PointLight{{0.5, 0.2, 3.5}, {}}, "bulb"),
                              sun({0.2, 0.3, -1})}) {
-    Found found;
-    for (int i = 0; i < 300; ++i) check(lower<double>(crowd(random, light)), random, found);
+    Shadows found;
+    for (int i = 0; i < 300; ++i)
+      compare_shadows(lower<double>(crowd(random, light)), random, found);
     EXPECT_EQ(found.missed, 0) << light.name;
     EXPECT_GT(found.hidden, 1000) << light.name;
     EXPECT_LT(found.listed, found.all / 2) << light.name << ": culling that culls";
