@@ -74,10 +74,9 @@ Rendering run_spectral(const RenderArguments& options, const Scene& scene,
                     scene.name));
   if (options.spectral.extension() != ".exr")
     throw Refusal(fmt::format("--spectral: {}: litmus writes .exr", options.spectral.string()));
-  BandRendering bands = render_bands(scene, how, KeepBands::Whole);
-  std::vector<Picture> pictures;
-  for (Layers& layers : bands.pictures) pictures.push_back(std::move(layers.front().picture));
-  write_bands(options.spectral, bands.rendering.whole, pictures, band_centres(*scene.spectra));
+  BandRendering bands;
+  write_bands(options.spectral, scene.width, scene.height, band_centres(*scene.spectra),
+              [&](const PutRows& put) { bands = render_band_rows(scene, how, put); });
   fmt::print(stderr, "{}: {} x {}, {} bands, {:.3f} s\n", options.spectral.string(), scene.width,
              scene.height, scene.spectra->bands, bands.rendering.seconds);
   return std::move(bands.rendering);

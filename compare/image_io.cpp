@@ -9,6 +9,7 @@
 #include <cmath>
 #include <memory>
 #include <set>
+#include <stdexcept>
 #include <system_error>
 #include <vector>
 
@@ -92,26 +93,24 @@ std::string channel_name(double wavelength) {
   return "S0." + number + "nm";
 }
 
-/// Pixel by pixel R, G, B and each band.
-std::vector<float> interleaved(const Picture& picture, std::span<const Picture> bands,
-                               std::size_t count) {
-  std::vector<float> values;
-  values.reserve(picture.pixels.size() * (3 + count));
-  for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
-    for (int c = 0; c < 3; ++c) values.push_back(float(picture.pixels[i][c]));
-    for (std::size_t b = 0; b < count; ++b)
-      values.push_back(float(bands[b / 3].pixels[i][int(b % 3)]));
-  }
-  return values;
-}
-
-void write_one(const fs::path& temporary, const fs::path& file, const OIIO::ImageSpec& spec,
-               const std::vector<float>& values) {
+void write_rows(const fs::path& temporary, const fs::path& file, const OIIO::ImageSpec& spec,
+                const std::function<void(const PutRows& put)>& fill) {
   auto output = OIIO::ImageOutput::create("openexr");
   if (!output) refuse(file, "cannot be written: OpenImageIO lacks OpenEXR");
-  if (!output->open(temporary.string(), spec) ||
-      !output->write_image(OIIO::TypeDesc::FLOAT, values.data()) || !output->close())
-    refuse(file, "cannot be written: " + output->geterror());
+  const auto check = [&](bool ok) {
+    if (!ok) refuse(file, "cannot be written: " + output->geterror());
+  };
+  check(output->open(temporary.string(), spec));
+  int next = 0;
+  fill([&](int first, std::span<const float> values) {
+    const int count = int(values.size() / std::size_t(spec.width * spec.nchannels));
+    if (first != next || first + count > spec.height)
+      throw std::invalid_argument(fmt::format("rows from {} on where {} comes next", first, next));
+    next += count;
+    check(output->write_scanlines(first, next, 0, OIIO::TypeDesc::FLOAT, values.data()));
+  });
+  if (next != spec.height) throw std::invalid_argument(fmt::format("only {} rows", next));
+  check(output->close());
 }
 
 // ---- Reading ---------------------------------------------------------------------------------
@@ -241,17 +240,16 @@ void write_picture(const fs::path& file, const Picture& picture, const Metadata&
   write_layers(file, {{"all", "all", picture}}, metadata);
 }
 
-void write_bands(const fs::path& file, const Picture& picture, std::span<const Picture> bands,
-                 std::span<const double> wavelengths, const Metadata& metadata) {
-  const std::size_t count = wavelengths.size();
-  OIIO::ImageSpec spec = part_spec({"all", "all", picture}, metadata);
-  spec.nchannels = int(3 + count);
+void write_bands(const fs::path& file, int width, int height, std::span<const double> wavelengths,
+                 const std::function<void(const PutRows& put)>& fill, const Metadata& metadata) {
+  OIIO::ImageSpec spec = part_spec({"all", "all", Picture()}, metadata);
+  spec.width = spec.full_width = width, spec.height = spec.full_height = height;
+  spec.nchannels = int(3 + wavelengths.size());
   spec.channelnames = {"R", "G", "B"};
   for (const double wavelength : wavelengths) spec.channelnames.push_back(channel_name(wavelength));
   spec.attribute("spectralLayoutVersion", "1.0");
   spec.attribute("emissiveUnits", "relative");
-  const std::vector<float> values = interleaved(picture, bands, count);
-  write_whole(file, [&](const fs::path& temporary) { write_one(temporary, file, spec, values); });
+  write_whole(file, [&](const fs::path& temporary) { write_rows(temporary, file, spec, fill); });
 }
 
 Picture read_picture(const fs::path& file) {

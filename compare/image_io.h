@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <span>
 #include <string>
@@ -35,10 +36,13 @@ void write_picture(const std::filesystem::path& file, const Picture& picture,
 /// One picture and what it is made of per wavelength, as a one-part 32-bit float EXR: R, G and B,
 /// and for each of `wavelengths` (nm) a layer of its own with its middle wavelength for a name, as
 /// the spectral layout of OpenEXR has them (Fichet, Pacanowski and Wilkie, JCGT 10(3), 2021):
-/// "S0.385,000000nm". `bands` holds three neighbouring bands a picture; channels beyond the last
-/// band are left out. Throws Refusal naming the file.
-void write_bands(const std::filesystem::path& file, const Picture& picture,
-                 std::span<const Picture> bands, std::span<const double> wavelengths,
+/// "S0.385,000000nm". `fill` calls what it is given with some rows at a time, from the top, without
+/// a gap: the first one's number and R, G, B and the bands of each pixel. Throws Refusal naming the
+/// file, or for rows that are not the next ones std::invalid_argument.
+using PutRows = std::function<void(int first, std::span<const float> values)>;
+void write_bands(const std::filesystem::path& file, int width, int height,
+                 std::span<const double> wavelengths,
+                 const std::function<void(const PutRows& put)>& fill,
                  const Metadata& metadata = {});
 
 /// Reads the first three channels (one grey channel is tripled) of a file's first part: EXR, PFM,

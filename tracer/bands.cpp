@@ -8,6 +8,8 @@
 #include <atomic>
 #include <chrono>
 #include <optional>
+#include <span>
+#include <stdexcept>
 
 #include "scene/bands.h"
 #include "scene/observer.h"
@@ -112,47 +114,116 @@ Rendering gathered(const Scene& scene, const Rendering& terms) {
 }
 
 /// The pictures of all bands, picture by picture.
-std::vector<Layers> band_pictures_of(const Scene& scene, const std::vector<RowProducts>& rows,
-                                     KeepBands keep) {
+std::vector<Layers> band_pictures_of(const Scene& scene, const std::vector<RowProducts>& rows) {
   std::vector<Layers> pictures(std::size_t(band_pictures(*scene.spectra)));
   tbb::parallel_for(std::size_t(0), pictures.size(), [&](std::size_t p) {
-    pictures[p] = keep == KeepBands::Layers ? names_of(scene) : Layers{{"all", "all", {}}};
+    pictures[p] = names_of(scene);
     multiply_bands(rows, p, scene.width, pictures[p]);
   });
   return pictures;
 }
 
+/// The row of each band, beside the picture's.
+void write_bands_of_row(const RowProducts& row, const Spectra& spectra,
+                        std::span<const glm::dvec3> colors, std::span<float> values) {
+  const std::size_t width = colors.size(), channels = values.size() / width;
+  const auto put = [&](std::span<const glm::dvec3> pixels, std::size_t channel, std::size_t count) {
+    for (std::size_t x = 0; x < width; ++x)
+      for (std::size_t c = 0; c < count; ++c)
+        values[x * channels + channel + c] = float(pixels[x][glm::length_t(c)]);
+  };
+  put(colors, 0, 3);
+  std::vector<glm::dvec3> three(width);
+  for (std::size_t p = 0; p < std::size_t(band_pictures(spectra)); ++p) {
+    std::fill(three.begin(), three.end(), glm::dvec3(0));
+    multiply_row(row, p, three);
+    put(three, 3 + 3 * p, std::min<std::size_t>(3, channels - 3 - 3 * p));
+  }
+}
+
+/// The geometry of a spectral scene, rendered, and what turns its rows into colours.
+class Stage {
+ public:
+  BandRendering result;
+  std::atomic<std::int64_t> products = 0;
+
+  Stage(const Scene& scene, const RenderOptions& options)
+      : scene_(scene), options_(options), samples_(render_geometry(scene, options)) {
+    if (options.threads > 0)
+      limit_.emplace(tbb::global_control::max_allowed_parallelism, std::size_t(options.threads));
+    // With one sample a pixel the colours take the place of the terms.
+    in_place_ = scene.samples == 1;
+    result.rendering = in_place_ ? std::move(samples_) : gathered(scene, samples_);
+    answers_ = band_answers(scene);
+    if (options.effects && !options.effects->ambient)
+      leave_out_ambient(answers_, scene.lights.size() + 1);
+  }
+
+  void contract(int y, RowProducts* row) {
+    const Contraction with{scene_, in_place_ ? result.rendering : samples_, answers_};
+    products += contract_row(with, y, result.rendering, row);
+  }
+
+  BandRendering finish(std::chrono::steady_clock::duration worked) {
+    result.products = products;
+    if (!options_.layers) result.rendering.layers.clear();
+    result.rendering.seconds += std::chrono::duration<double>(worked).count();
+    return std::move(result);
+  }
+
+ private:
+  const Scene& scene_;
+  const RenderOptions& options_;
+  Rendering samples_;
+  std::vector<BandAnswer> answers_;
+  std::optional<tbb::global_control> limit_;
+  bool in_place_ = false;
+};
+
 }  // namespace
 
 BandRendering render_bands(const Scene& scene, const RenderOptions& options, KeepBands keep) {
   if (!scene.spectra) return {render(scene, options), {}, 0};
-  Rendering samples = render_geometry(scene, options);
-  std::optional<tbb::global_control> limit;
-  if (options.threads > 0)
-    limit.emplace(tbb::global_control::max_allowed_parallelism, std::size_t(options.threads));
+  Stage stage(scene, options);
   const auto start = std::chrono::steady_clock::now();
-  // With one sample a pixel the colours take the place of the terms.
-  const bool in_place = scene.samples == 1;
-  BandRendering result;
-  result.rendering = in_place ? std::move(samples) : gathered(scene, samples);
-  std::vector<BandAnswer> answers = band_answers(scene);
-  if (options.effects && !options.effects->ambient)
-    leave_out_ambient(answers, scene.lights.size() + 1);
-  const Contraction with{scene, in_place ? result.rendering : samples, answers};
   std::vector<RowProducts> rows(keep == KeepBands::None ? 0 : std::size_t(scene.height));
-  std::atomic<std::int64_t> products = 0;
   tbb::parallel_for(0, scene.height, [&](int y) {
-    products +=
-        contract_row(with, y, result.rendering, rows.empty() ? nullptr : &rows[std::size_t(y)]);
+    stage.contract(y, rows.empty() ? nullptr : &rows[std::size_t(y)]);
   });
-  if (keep != KeepBands::None) result.pictures = band_pictures_of(scene, rows, keep);
-  result.products = products;
+  if (keep != KeepBands::None) stage.result.pictures = band_pictures_of(scene, rows);
   for (const RowProducts& row : rows)
-    result.products += std::int64_t(3 * result.pictures.size() * row.terms.size());
-  if (!options.layers) result.rendering.layers.clear();
-  result.rendering.seconds +=
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return result;
+    stage.products += std::int64_t(3 * stage.result.pictures.size() * row.terms.size());
+  return stage.finish(std::chrono::steady_clock::now() - start);
+}
+
+BandRendering render_band_rows(const Scene& scene, const RenderOptions& options,
+                               const BandRows& take) {
+  if (!scene.spectra) throw std::invalid_argument(scene.name + " has no spectra");
+  constexpr int kRows = 32;  // at a time: whole blocks of a compressed EXR
+  Stage stage(scene, options);
+  std::chrono::steady_clock::duration worked{};
+  const std::size_t stride = std::size_t(scene.width) * std::size_t(3 + scene.spectra->bands);
+  std::vector<RowProducts> rows(kRows);
+  std::vector<float> values(kRows * stride);
+  for (int first = 0; first < scene.height; first += kRows) {
+    const auto start = std::chrono::steady_clock::now();
+    const int count = std::min(kRows, scene.height - first);
+    tbb::parallel_for(0, count, [&](int i) {
+      RowProducts& row = rows[std::size_t(i)];
+      row.terms.clear(), row.stretches.clear();
+      stage.contract(first + i, &row);
+      stage.products +=
+          3 * std::int64_t(band_pictures(*scene.spectra)) * std::int64_t(row.terms.size());
+      write_bands_of_row(
+          row, *scene.spectra,
+          std::span(stage.result.rendering.whole.pixels)
+              .subspan(std::size_t(first + i) * std::size_t(scene.width), std::size_t(scene.width)),
+          std::span(values).subspan(std::size_t(i) * stride, stride));
+    });
+    worked += std::chrono::steady_clock::now() - start;
+    take(first, std::span(values).first(std::size_t(count) * stride));
+  }
+  return stage.finish(worked);
 }
 
 Probe probe_bands(const Scene& scene, const RenderOptions& options) {

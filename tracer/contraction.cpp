@@ -104,9 +104,14 @@ std::int64_t contract_row(const Contraction& with, int y, Rendering& colors,
   return count;
 }
 
+void multiply_row(const RowProducts& row, std::size_t picture, std::span<glm::dvec3> pixels) {
+  for (const Stretch& one : row.stretches)
+    add_products(&row.terms[one.begin], (*one.colors)[picture], one.end - one.begin,
+                 &pixels[one.x]);
+}
+
 void multiply_bands(const std::vector<RowProducts>& rows, std::size_t picture, int width,
                     Layers& layers) {
-  const bool apart = layers.size() > 1;
   for (Layer& layer : layers) {
     layer.picture.width = width, layer.picture.height = int(rows.size());
     layer.picture.pixels.reserve(rows.size() * std::size_t(width));
@@ -115,7 +120,7 @@ void multiply_bands(const std::vector<RowProducts>& rows, std::size_t picture, i
     for (Layer& layer : layers)
       layer.picture.pixels.resize(layer.picture.pixels.size() + std::size_t(width));
     for (const Stretch& one : row.stretches) {
-      std::vector<glm::dvec3>& pixels = layers[apart ? one.layer : 0].picture.pixels;
+      std::vector<glm::dvec3>& pixels = layers[one.layer].picture.pixels;
       add_products(&row.terms[one.begin], (*one.colors)[picture], one.end - one.begin,
                    &pixels[pixels.size() - std::size_t(width) + one.x]);
     }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "scene/picture.h"
@@ -36,8 +37,11 @@ struct Contraction {
 /// Returns how many products the colours took.
 std::int64_t contract_row(const Contraction& with, int y, Rendering& colors, RowProducts* products);
 
-/// Picture `picture` of three bands: each of `layers`, named and still without pixels; a single one
-/// takes the sum of all. Row by row, so that a pixel is written while it is near.
+/// Adds three bands of the row, all layers together, to its pixels.
+void multiply_row(const RowProducts& row, std::size_t picture, std::span<glm::dvec3> pixels);
+
+/// Picture `picture` of three bands: each of `layers`, named and still without pixels. Row by row,
+/// so that a pixel is written while it is near.
 void multiply_bands(const std::vector<RowProducts>& rows, std::size_t picture, int width,
                     Layers& layers);
 

@@ -115,9 +115,21 @@ TEST_F(ImageFiles, KeepEachLayerWithItsNameTypeAndMetadata) {
 }
 
 TEST_F(ImageFiles, KeepALayerForEachBandBesideTheColours) {
-  const Picture colors = noise(5, 3, 1), bands[] = {noise(5, 3, 2), noise(5, 3, 3)};
+  const Picture colors = noise(5, 3, 1), bands = noise(5, 3, 2);
   const double wavelengths[] = {430, 530, 630, 730.5};
-  write_bands(folder / "bands.exr", colors, bands, wavelengths, {{"scene", "w2"}});
+  write_bands(folder / "bands.exr", 5, 3, wavelengths,
+              [&](const PutRows& put) {
+                for (int y = 0; y < 3; ++y) {
+                  std::vector<float> row;
+                  for (int x = 0; x < 5; ++x) {
+                    for (const Picture* one : {&colors, &bands})
+                      for (int c = 0; c < 3; ++c) row.push_back(float(one->at(x, y)[c]));
+                    row.push_back(float(x + 10 * y));
+                  }
+                  put(y, row);
+                }
+              },
+              {{"scene", "w2"}});
   auto input = OIIO::ImageInput::open((folder / "bands.exr").string());
   ASSERT_TRUE(input);
   const OIIO::ImageSpec spec = input->spec();
@@ -130,10 +142,23 @@ TEST_F(ImageFiles, KeepALayerForEachBandBesideTheColours) {
   const auto value = [&](const char* name) {
     return values[std::size_t(7 * 8 + spec.channelindex(name))];  // pixel (3, 1)
   };
-  EXPECT_EQ(value("S0.430,000000nm"), float(bands[0].at(3, 1).r));
-  EXPECT_EQ(value("S0.530,000000nm"), float(bands[0].at(3, 1).g));
-  EXPECT_EQ(value("S0.630,000000nm"), float(bands[0].at(3, 1).b));
-  EXPECT_EQ(value("S0.730,500000nm"), float(bands[1].at(3, 1).r));
+  EXPECT_EQ(value("S0.430,000000nm"), float(bands.at(3, 1).r));
+  EXPECT_EQ(value("S0.530,000000nm"), float(bands.at(3, 1).g));
+  EXPECT_EQ(value("S0.630,000000nm"), float(bands.at(3, 1).b));
+  EXPECT_EQ(value("S0.730,500000nm"), 13);
+}
+
+TEST_F(ImageFiles, AreNotWrittenWithRowsLeftOut) {
+  const double wavelengths[] = {430};
+  const std::vector<float> row(5 * 4);
+  for (const int second : {0, 2})
+    EXPECT_THROW(write_bands(folder / "gap.exr", 5, 3, wavelengths,
+                             [&](const PutRows& put) { put(0, row), put(second, row); }),
+                 std::invalid_argument);
+  EXPECT_THROW(
+      write_bands(folder / "gap.exr", 5, 3, wavelengths, [&](const PutRows& put) { put(0, row); }),
+      std::invalid_argument);
+  EXPECT_FALSE(std::filesystem::exists(folder / "gap.exr"));
 }
 
 TEST_F(ImageFiles, RefuseLayersThatCannotBeToldApart) {
