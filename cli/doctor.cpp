@@ -26,14 +26,14 @@ std::string missing_text(const Driver& driver) {
 }
 
 int run_doctor() {
-  std::vector<Scene> scenes;
-  for (const auto& file : canonical_scenes()) scenes.push_back(load_scene(file));
+  const auto [scenes, left_out] = load_canonical_scenes();
   const Provenance provenance = provenance_of({});
   print_row("litmus", fmt::format("{} ({})", provenance.litmus_version, provenance.commit));
   print_row("OpenImageIO", image_library_version());
   print_row("scenes", fmt::format("{} canonical, in {}", scenes.size(), data_directory().string()));
+  for (const std::string& why : left_out) print_row("", "left out: " + why);
   print_row("store", default_store_directory().string());
-  int exit_code = kPass;
+  int exit_code = left_out.empty() ? kPass : kIncomplete;
   for (const Driver& driver : drivers()) {
     const auto installation = driver.find();
     if (!installation) exit_code = kIncomplete;

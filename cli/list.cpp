@@ -52,19 +52,12 @@ void print_table(const std::vector<Scene>& scenes) {
 }
 
 int run_list(bool json, const std::string& tag) {
-  std::vector<Scene> scenes;
-  for (const auto& file : canonical_scenes()) {
-    Scene scene;
-    try {
-      scene = load_scene(file);
-    } catch (const MissingData& missing) {
-      std::cerr << "warning: left out: " << missing.what() << '\n';
-      continue;
-    }
-    const bool wanted =
-        tag.empty() || std::find(scene.tags.begin(), scene.tags.end(), tag) != scene.tags.end();
-    if (wanted) scenes.push_back(std::move(scene));
-  }
+  auto [scenes, left_out] = load_canonical_scenes();
+  for (const std::string& why : left_out) std::cerr << "warning: left out: " << why << '\n';
+  if (!tag.empty())
+    std::erase_if(scenes, [&](const Scene& scene) {
+      return std::find(scene.tags.begin(), scene.tags.end(), tag) == scene.tags.end();
+    });
   json ? print_json(scenes) : print_table(scenes);
   return kPass;
 }

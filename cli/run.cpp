@@ -46,27 +46,23 @@ struct RunArguments {
 /// `left_out` says so; a scene that is asked for is refused.
 std::vector<Scene> load_all(const std::vector<std::string>& names,
                             std::vector<std::string>& left_out) {
-  std::vector<fs::path> files;
-  for (const std::string& name : names) files.push_back(find_scene(name));
-  if (names.empty()) files = canonical_scenes();
   std::vector<Scene> scenes;
-  for (const fs::path& file : files) {
-    try {
-      scenes.push_back(load_scene(file));
-    } catch (const MissingData& missing) {
-      if (!names.empty()) throw;
-      left_out.push_back(fmt::format("left out: {}", missing.what()));
-      continue;
-    }
+  if (names.empty()) {
+    CanonicalScenes all = load_canonical_scenes();
+    scenes = std::move(all.scenes);
+    for (const std::string& why : all.left_out) left_out.push_back("left out: " + why);
+  }
+  for (const std::string& name : names) {
+    scenes.push_back(load_scene(find_scene(name)));
     for (const Scene& other : std::span(scenes).first(scenes.size() - 1)) {
       if (other.name == scenes.back().name) {
         throw Refusal(fmt::format("{} and {} have one name: rename one of the files",
-                                  other.file.string(), file.string()));
+                                  other.file.string(), scenes.back().file.string()));
       }
     }
-    for (const std::string& warning : scenes.back().warnings)
-      fmt::print(stderr, "warning: {}\n", warning);
   }
+  for (const Scene& scene : scenes)
+    for (const std::string& warning : scene.warnings) fmt::print(stderr, "warning: {}\n", warning);
   return scenes;
 }
 

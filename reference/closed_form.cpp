@@ -1,24 +1,18 @@
 // closed_form.cpp: from the names in a scene's [expect] table to what they say.
 #include "reference/closed_form.h"
 
-#include <fmt/format.h>
+#include <algorithm>
+#include <array>
 
 #include "reference/closed_form_claims.h"
 #include "reference/closed_form_figures.h"
 #include "reference/closed_form_pictures.h"
+#include "scene/bands.h"
+#include "scene/observer.h"
 #include "scene/refusal.h"
 
 namespace litmus {
 namespace {
-
-constexpr std::size_t kMostTriangles = 2500;  // which are tried one by one, at every pixel
-
-std::vector<ExpectedLayer> unknown_layers(const Scene& scene) {
-  const ExpectedLayer unknown{
-      Picture(scene.width, scene.height),
-      std::vector<std::uint8_t>(std::size_t(scene.width) * std::size_t(scene.height))};
-  return std::vector<ExpectedLayer>(1 + scene.lights.size(), unknown);
-}
 
 void refuse_what_has_none(const Scene& scene) {
   if (scene.samples > 1)
@@ -27,12 +21,38 @@ void refuse_what_has_none(const Scene& scene) {
     throw Refusal(scene.name + ": expect: closed forms are of the equation, not the sample code");
 }
 
-void refuse_large_meshes(const Scene& scene) {
-  for (const Object& object : scene.objects)
-    if (const auto* mesh = std::get_if<Mesh>(&object.shape);
-        mesh && mesh->triangles.size() > kMostTriangles)
-      throw Refusal(fmt::format("{}: expect: \"{}\" has over {} triangles", scene.name, object.name,
-                                kMostTriangles));
+/// The layers in linear sRGB, from those of each three bands.
+std::vector<ExpectedLayer> in_colors(const Spectra& spectra,
+                                     const std::vector<std::vector<ExpectedLayer>>& bands) {
+  std::vector<ExpectedLayer> layers = bands.front();
+  for (std::size_t k = 0; k < layers.size(); ++k) {
+    Picture& colors = layers[k].picture;
+    colors = Picture(colors.width, colors.height);
+    for (std::size_t p = 0; p < bands.size(); ++p)
+      add_xyz(spectra, int(p), bands[p][k].picture, colors);
+    for (glm::dvec3& pixel : colors.pixels) pixel = linear_srgb(pixel);
+  }
+  return layers;
+}
+
+/// What the oracles of whole layers know.
+void fill_layers(const Scene& scene, ClosedForm& known) {
+  constexpr std::array kSurfaces{Oracle::Floor, Oracle::Spheres, Oracle::Boxes};
+  const auto named = [&](Oracle oracle) {
+    return std::find(scene.expect.begin(), scene.expect.end(), oracle) != scene.expect.end();
+  };
+  const bool surfaces = std::any_of(kSurfaces.begin(), kSurfaces.end(), named);
+  if (!surfaces && !named(Oracle::Shell) && !named(Oracle::Dark)) return;
+  Canvas canvas = canvas_of(scene);
+  if (surfaces) expect_surfaces(scene, scene.expect, canvas);
+  if (named(Oracle::Shell)) expect_shell(scene, canvas);
+  if (named(Oracle::Dark)) expect_darkness(canvas);
+  if (!scene.spectra) {
+    known.layers = std::move(canvas.pictures.front());
+    return;
+  }
+  known.layers = in_colors(*scene.spectra, canvas.pictures);
+  known.bands = std::move(canvas.pictures);
 }
 
 }  // namespace
@@ -41,28 +61,18 @@ ClosedForm closed_form(const Scene& scene) {
   if (scene.expect.empty()) return {};
   refuse_what_has_none(scene);
   ClosedForm known;
-  const auto layers = [&]() -> std::vector<ExpectedLayer>& {
-    refuse_large_meshes(scene);
-    if (known.layers.empty()) known.layers = unknown_layers(scene);
-    return known.layers;
-  };
+  fill_layers(scene, known);
   for (const Oracle oracle : scene.expect) {
     switch (oracle) {
       case Oracle::Ambient:
         claim_ambient_levels(scene, known.claims);
         break;
       case Oracle::Floor:
-        expect_floor(scene, layers());
-        break;
       case Oracle::Spheres:
-        expect_spheres(scene, layers());
-        break;
+      case Oracle::Boxes:
       case Oracle::Shell:
-        expect_shell(scene, layers());
-        break;
       case Oracle::Dark:
-        expect_darkness(scene, layers());
-        break;
+        break;  // whole layers
       case Oracle::ShadowCurves:
         claim_shadow_curves(scene, known.claims);
         break;

@@ -47,13 +47,16 @@ struct Figure {
 };
 
 struct ClosedForm {
-  std::vector<ExpectedLayer> layers;  ///< ambient, then each light; empty if no oracle gives pixels
+  /// Ambient, then each light, of a spectral scene in linear sRGB; empty if no oracle gives pixels.
+  std::vector<ExpectedLayer> layers;
+  /// Of a spectral scene the layers of each three bands (scene/bands.h).
+  std::vector<std::vector<ExpectedLayer>> bands{};
   std::vector<Claim> claims;
   std::vector<Figure> figures;
 };
 
-/// All that the scene's [expect] table names, nothing without one. Throws Refusal that says what an oracle needs and the
-/// scene lacks: an oracle is never left out in silence.
+/// All that the scene's [expect] table names, nothing without one. Throws Refusal that says what an
+/// oracle needs and the scene lacks: an oracle is never left out in silence.
 ClosedForm closed_form(const Scene& scene);
 
 }  // namespace litmus

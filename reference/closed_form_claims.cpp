@@ -1,10 +1,13 @@
 // closed_form_claims.cpp: levels and boundaries.
 #include "reference/closed_form_claims.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <memory>
 #include <numbers>
 
 #include "reference/closed_form_curves.h"
@@ -51,24 +54,43 @@ Exact depth_in(const Curves& curves, const FloorPoint& point) {
   return deepest;
 }
 
-Conic cone_of(const SpotLight& spot, Exact level) {
-  return cone_on_floor(ExactVec(spot.point.origin), glm::normalize(ExactVec(spot.direction)),
-                       spot.cutoff, level);
+Conic cone_of(const ExactLamp& lamp, Exact level) {
+  return cone_on_floor(lamp.place, lamp.cone->axis, lamp.cone->cutoff, level);
 }
 
-bool narrow(const SpotLight& spot) { return spot.cutoff < std::numbers::pi / 2; }
+bool narrow(const ExactCone& cone) { return cone.cutoff < std::numbers::pi_v<Exact> / 2; }
 
 /// What the floor shows of a light at a point: dark, lit, or too near a curve to say.
 using Lit = std::function<std::optional<bool>(const FloorPoint&)>;
 
+/// The floor point of each pixel that sees the floor and nothing else.
+using FloorPoints = std::vector<std::optional<FloorPoint>>;
+
+std::shared_ptr<const FloorPoints> floor_points(const Scene& scene, const Object& floor) {
+  const View view = view_of(scene);
+  const Obstacles before_eye = obstacles(scene, eye_of(view), true);
+  FloorPoints points(std::size_t(scene.width) * std::size_t(scene.height));
+  tbb::parallel_for(0, scene.height, [&](int y) {
+    for (int x = 0; x < scene.width; ++x) {
+      const Sight through = sight(view, x, y);
+      const std::optional<SeenPoint> seen = floor_point(floor, through);
+      if (seen && passage_through(before_eye, {seen->at, through.start}, &floor) == Way::Open)
+        points[std::size_t(y) * std::size_t(scene.width) + std::size_t(x)] =
+            FloorPoint(seen->at.x, seen->at.y);
+    }
+  });
+  return std::make_shared<const FloorPoints>(std::move(points));
+}
+
 /// Where the pixel sees the floor and nothing else, its value is 0 exactly where `lit` says so.
-Claim boundary(Oracle oracle, const Scene& scene, const Object& floor, std::size_t layer, Lit lit) {
+Claim boundary(Oracle oracle, std::size_t layer, int width,
+               std::shared_ptr<const FloorPoints> points, Lit lit) {
   return {oracle, layer,
-          [&scene, &floor, lit](int x, int y, const glm::dvec3& value) -> std::optional<bool> {
-            const Sight through = sight(scene, x, y);
-            const std::optional<SeenPoint> seen = floor_point(floor, through);
-            if (!seen || in_view(scene, *seen, through) != Way::Open) return std::nullopt;
-            const std::optional<bool> is_lit = lit({seen->at.x, seen->at.y});
+          [points = std::move(points), width, lit = std::move(lit)](
+              int x, int y, const glm::dvec3& value) -> std::optional<bool> {
+            const auto& point = (*points)[std::size_t(y) * std::size_t(width) + std::size_t(x)];
+            if (!point) return std::nullopt;
+            const std::optional<bool> is_lit = lit(*point);
             if (!is_lit) return std::nullopt;
             return (value != glm::dvec3(0)) == *is_lit;
           }};
@@ -93,6 +115,8 @@ Lit lit_by(std::vector<Curves> shadows, std::optional<Conic> cone) {
 }  // namespace
 
 void claim_ambient_levels(const Scene& scene, std::vector<Claim>& claims) {
+  if (scene.spectra)
+    throw Refusal(scene.name + ": expect: \"ambient\" is of RGB colours, not of bands");
   glm::dvec3 ambient = scene.ambient;
   for (const Light& light : scene.lights) ambient += light.intensity * light.ambient;
   std::vector<glm::dvec3> levels{glm::dvec3(0)};
@@ -110,18 +134,19 @@ void claim_ambient_levels(const Scene& scene, std::vector<Claim>& claims) {
 void claim_shadow_curves(const Scene& scene, std::vector<Claim>& claims) {
   const Object& floor = floor_of(scene);
   const Exact level = level_of(scene, floor);
+  const auto points = floor_points(scene, floor);
   for (std::size_t k = 0; k < scene.lights.size(); ++k) {
     std::vector<Curves> shadows;
     std::optional<Conic> cone;
     for (const ExactLamp& lamp : exact_lamps(scene.lights[k])) {
       if ((lamp.sun ? lamp.place.z : lamp.place.z - level) <= 0)
         throw Refusal(scene.name + ": expect: \"shadow-curves\" needs its lights above the floor");
-      if (lamp.spot && !narrow(*lamp.spot))
+      if (lamp.cone && !narrow(*lamp.cone))
         throw Refusal(scene.name + ": expect: \"shadow-curves\" needs cutoffs under 90 degrees");
-      if (lamp.spot) cone = cone_of(*lamp.spot, level);
+      if (lamp.cone) cone = cone_of(lamp, level);
       shadows.push_back(curves_of(scene, floor, lamp, level));
     }
-    claims.push_back(boundary(Oracle::ShadowCurves, scene, floor, k + 1,
+    claims.push_back(boundary(Oracle::ShadowCurves, k + 1, scene.width, points,
                               lit_by(std::move(shadows), std::move(cone))));
   }
   if (claims.empty()) throw Refusal(scene.name + ": expect: \"shadow-curves\" needs a light");
@@ -131,13 +156,14 @@ void claim_cone_curves(const Scene& scene, std::vector<Claim>& claims) {
   const Object& floor = floor_of(scene);
   const Exact level = level_of(scene, floor);
   const bool casters = scene.shadows && scene.objects.size() > 1;
+  const auto points = floor_points(scene, floor);
   const std::size_t before = claims.size();
   for (std::size_t k = 0; k < scene.lights.size(); ++k) {
-    const auto* spot = std::get_if<SpotLight>(&scene.lights[k].shape);
-    if (!spot || !narrow(*spot)) continue;
+    const ExactLamp lamp = exact_lamps(scene.lights[k]).front();
+    if (!lamp.cone || !narrow(*lamp.cone)) continue;
     claims.push_back(boundary(
-        Oracle::ConeCurve, scene, floor, k + 1,
-        [cone = cone_of(*spot, level), casters](const FloorPoint& point) -> std::optional<bool> {
+        Oracle::ConeCurve, k + 1, scene.width, points,
+        [cone = cone_of(lamp, level), casters](const FloorPoint& point) -> std::optional<bool> {
           const Exact d = depth(cone, point);
           if (std::fabs(d) < kBoundaryBand || (d > 0 && casters)) return std::nullopt;
           return d > 0;

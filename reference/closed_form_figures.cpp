@@ -93,7 +93,7 @@ void measure_highlight(const Scene& scene, std::vector<Figure>& figures) {
   const ExactVec n = glm::normalize(ExactVec(plane.normal)), e = -exact_frame(scene.camera).forward;
   for (std::size_t k = 0; k < scene.lights.size(); ++k) {
     const std::vector<ExactLamp> lamps = exact_lamps(scene.lights[k]);
-    if (lamps.size() > 1 || lamps.front().sun || lamps.front().spot)
+    if (lamps.size() > 1 || lamps.front().sun || lamps.front().cone)
       needs(scene, "\"highlight-peak\" needs point lights");
     // The mirror image of the lamp, moved along the view onto the floor.
     const ExactVec lamp = lamps.front().place;
@@ -125,10 +125,11 @@ void measure_rectangle_limit(const Scene& scene, std::vector<Figure>& figures) {
     const auto offsets = [](Exact from, Exact to, Exact size) {
       return std::array{to - size / 2 - from, to + size / 2 - from};
     };
+    const View view = view_of(scene);
     double exact = 0;
     for (int y = 0; y < scene.height; ++y)
       for (int x = 0; x < scene.width; ++x) {
-        const ExactVec at = floor_point(floor, sight(scene, x, y))->at;
+        const ExactVec at = floor_point(floor, sight(view, x, y))->at;
         exact +=
             double(rectangle_mean_cosine(offsets(at.x, area->point.origin.x, area->width),
                                          offsets(at.y, area->point.origin.y, area->height), H));

@@ -31,7 +31,7 @@ std::vector<ExactLamp> samples_of(const AreaLight& area) {
     for (int column = 0; column < area.columns; ++column) {
       const Exact x = along_side(column, area.columns, area.placement) * area.width;
       const Exact y = along_side(row, area.rows, area.placement) * area.height;
-      lamps.push_back({false, centre + x * right + y * up, area.point.attenuation, nullptr,
+      lamps.push_back({false, centre + x * right + y * up, area.point.attenuation, std::nullopt,
                        1.0L / (Exact(area.columns) * area.rows)});
     }
   return lamps;
@@ -49,17 +49,18 @@ std::vector<ExactLamp> exact_lamps(const Light& light) {
                  return Lamps{{false, ExactVec(point.origin), point.attenuation}};
                },
                [](const SpotLight& spot) {
-                 return Lamps{{false, ExactVec(spot.point.origin), spot.point.attenuation, &spot}};
+                 return Lamps{{false, ExactVec(spot.point.origin), spot.point.attenuation,
+                               ExactCone{glm::normalize(ExactVec(spot.direction)), spot.cutoff,
+                                         spot.exponent}}};
                },
                [](const AreaLight& area) { return samples_of(area); }},
       light.shape);
 }
 
-Exact angle_off_axis(const SpotLight& spot, const ExactVec& point) {
-  const ExactVec axis = glm::normalize(ExactVec(spot.direction));
-  const ExactVec way = glm::normalize(point - ExactVec(spot.point.origin));
+Exact angle_off_axis(const ExactLamp& lamp, const ExactVec& point) {
+  const ExactVec way = glm::normalize(point - lamp.place);
   // Kahan's formula, which keeps its digits at 0 and at pi.
-  return 2 * std::atan2(glm::length(axis - way), glm::length(axis + way));
+  return 2 * std::atan2(glm::length(lamp.cone->axis - way), glm::length(lamp.cone->axis + way));
 }
 
 Exact arriving(const ExactLamp& lamp, const ExactVec& point) {
@@ -68,9 +69,9 @@ Exact arriving(const ExactLamp& lamp, const ExactVec& point) {
   const Exact R = lamp.attenuation.range, L = lamp.attenuation.linear,
               Q = lamp.attenuation.quadratic;
   Exact arrives = lamp.share * (R / (R + L * d)) * (R * R / (R * R + Q * d * d));
-  if (lamp.spot) {
-    const Exact alpha = angle_off_axis(*lamp.spot, point), cutoff = lamp.spot->cutoff;
-    arrives *= alpha > cutoff ? 0 : 1 - std::pow(alpha / cutoff, Exact(lamp.spot->exponent));
+  if (lamp.cone) {
+    const Exact alpha = angle_off_axis(lamp, point), cutoff = lamp.cone->cutoff;
+    arrives *= alpha > cutoff ? 0 : 1 - std::pow(alpha / cutoff, lamp.cone->exponent);
   }
   return arrives;
 }

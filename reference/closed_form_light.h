@@ -4,6 +4,7 @@
 #pragma once
 
 #include <glm/vec3.hpp>
+#include <optional>
 #include <vector>
 
 #include "scene/scene.h"
@@ -13,20 +14,26 @@ namespace litmus {
 using Exact = long double;
 using ExactVec = glm::vec<3, long double>;
 
+/// A spot's cone (slide 15).
+struct ExactCone {
+  ExactVec axis{0};  ///< unit, away from the lamp
+  Exact cutoff = 0, exponent = 1;
+};
+
 /// One place that light comes from: the sun, a point, or a sample of a rectangle.
 struct ExactLamp {
   bool sun = false;
   ExactVec place{0};  ///< of the lamp; for the sun the unit vector towards it
   Attenuation attenuation{};
-  const SpotLight* spot = nullptr;  ///< narrows the light to its cone
+  std::optional<ExactCone> cone{};  ///< narrows the light
   Exact share = 1;                  ///< of the light's intensity
 };
 
-/// The lamps of a light (slides 8, 10, 15, 20). Those of a spot point into the light.
+/// The lamps of a light (slides 8, 10, 15, 20).
 std::vector<ExactLamp> exact_lamps(const Light& light);
 
-/// The angle between a spot's axis and the way from it to `point`, radians.
-Exact angle_off_axis(const SpotLight& spot, const ExactVec& point);
+/// The angle between a cone's axis and the way from its lamp to `point`, radians.
+Exact angle_off_axis(const ExactLamp& lamp, const ExactVec& point);
 
 /// The fraction of the light's intensity that this lamp sends to `point`: its share times
 /// R/(R + L d) times R^2/(R^2 + Q d^2) (slide 11) times 1 - (alpha/cutoff)^exponent (slide 16).

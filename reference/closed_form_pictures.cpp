@@ -1,114 +1,105 @@
-// closed_form_pictures.cpp: floors, spheres, shells and darkness.
+// closed_form_pictures.cpp: colours on surfaces, shells and darkness.
 #include "reference/closed_form_pictures.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
-#include <cmath>
 #include <glm/geometric.hpp>
 
-#include "reference/closed_form_view.h"
+#include "reference/closed_form_surfaces.h"
+#include "scene/bands.h"
 #include "scene/refusal.h"
 
 namespace litmus {
 namespace {
 
-/// Calls visit(x, y, index) for each pixel that the ambient layer does not know yet.
-template <class Visit>
-void for_each_unknown(const Scene& scene, const std::vector<ExpectedLayer>& layers, Visit visit) {
-  for (int y = 0; y < scene.height; ++y)
-    for (int x = 0; x < scene.width; ++x) {
-      const std::size_t index = std::size_t(y) * std::size_t(scene.width) + std::size_t(x);
-      if (!layers[0].known[index]) visit(x, y, index);
-    }
+glm::dvec3 rounded(const ExactVec& v) { return {double(v.x), double(v.y), double(v.z)}; }
+
+/// Sets pixel `index` of every layer to what slide 5 makes of the terms, in one set of colours.
+void paint(const Scene& scene, const PixelTerms& terms, std::size_t index,
+           std::vector<ExpectedLayer>& layers) {
+  const Material& material = scene.materials[std::size_t(terms.object->material)];
+  ExactVec ambient(scene.ambient);
+  for (const Light& light : scene.lights)
+    ambient += Exact(light.intensity) * ExactVec(light.ambient);
+  layers[0].picture.pixels[index] = rounded(ExactVec(material.ambient) * ambient);
+  layers[0].known[index] = 1;
+  for (std::size_t k = 0; k < scene.lights.size(); ++k) {
+    const Light& light = scene.lights[k];
+    const ExactVec lit =
+        ExactVec(material.diffuse) * ExactVec(light.diffuse) * terms.lights[k].diffuse +
+        ExactVec(material.specular) * ExactVec(light.specular) * terms.lights[k].specular;
+    layers[k + 1].picture.pixels[index] = rounded(Exact(light.intensity) * lit);
+    layers[k + 1].known[index] = terms.lights[k].sure;
+  }
 }
 
-/// The point of a sphere on an orthographic ray, if it is not on the rim; `near_rim` is set there.
-std::optional<SeenPoint> sphere_point(const Object& object, const ExactFrame& frame,
-                                      const Sight& sight, bool& near_rim) {
-  const auto& sphere = std::get<Sphere>(object.shape);
-  const ExactVec centre(sphere.center);
-  const Exact r = sphere.radius;
-  const ExactVec aside = sight.start - centre;
-  const Exact u = glm::dot(aside, frame.right) / r, v = glm::dot(aside, frame.up) / r;
-  const Exact under = 1 - u * u - v * v;
-  near_rim |= std::fabs(under) < kBoundaryBand;
-  if (under <= 0) return std::nullopt;
-  const ExactVec n = u * frame.right + v * frame.up - std::sqrt(under) * frame.forward;
-  const ExactVec at = centre + r * n;
-  if (glm::dot(at - sight.start, frame.forward) <= 0) return std::nullopt;
-  return SeenPoint{at, n, -frame.forward, &object};
+void paint(const PixelTerms& terms, std::size_t index, Canvas& canvas) {
+  if (terms.sees == PixelTerms::Sees::Unknown) return;
+  for (std::size_t p = 0; p < canvas.pictures.size(); ++p) {
+    if (terms.sees == PixelTerms::Sees::Surface)
+      paint(canvas.colors[p], terms, index, canvas.pictures[p]);
+    else
+      for (ExpectedLayer& layer : canvas.pictures[p]) layer.known[index] = 1;
+  }
 }
 
-bool is_only(const Scene& scene, bool (*allowed)(const Object&)) {
-  return std::all_of(scene.objects.begin(), scene.objects.end(), [&](const Object& object) {
-    return !object.camera_visible || allowed(object);
-  });
+bool no_ambient(const Scene& scene) {
+  return scene.ambient == Color(0) &&
+         std::all_of(scene.lights.begin(), scene.lights.end(), [](const Light& light) {
+           return light.intensity * light.ambient == Color(0);
+         });
 }
 
 }  // namespace
 
-void expect_floor(const Scene& scene, std::vector<ExpectedLayer>& layers) {
-  const Object& floor = floor_of(scene);
-  const auto lamps = all_exact_lamps(scene);
-  for_each_unknown(scene, layers, [&](int x, int y, std::size_t index) {
-    const Sight through = sight(scene, x, y);
-    const std::optional<SeenPoint> seen = floor_point(floor, through);
-    if (seen && in_view(scene, *seen, through) == Way::Open)
-      expect_point(scene, lamps, *seen, index, layers);
+Canvas canvas_of(const Scene& scene) {
+  Canvas canvas;
+  canvas.colors = scene.spectra ? band_scenes(scene) : std::vector<Scene>{scene};
+  const ExpectedLayer unknown{
+      Picture(scene.width, scene.height),
+      std::vector<std::uint8_t>(std::size_t(scene.width) * std::size_t(scene.height))};
+  canvas.pictures.assign(canvas.colors.size(),
+                         std::vector<ExpectedLayer>(1 + scene.lights.size(), unknown));
+  return canvas;
+}
+
+void expect_surfaces(const Scene& scene, std::span<const Oracle> oracles, Canvas& canvas) {
+  const SurfaceOracle surfaces(scene, oracles);
+  tbb::parallel_for(0, scene.height, [&](int y) {
+    for (int x = 0; x < scene.width; ++x)
+      paint(surfaces.at(x, y), std::size_t(y) * std::size_t(scene.width) + std::size_t(x), canvas);
   });
 }
 
-void expect_spheres(const Scene& scene, std::vector<ExpectedLayer>& layers) {
-  if (scene.camera.projection != Projection::Orthographic)
-    throw Refusal(scene.name + ": expect: \"spheres\" needs an orthographic camera");
-  const bool empty_elsewhere = is_only(
-      scene, [](const Object& object) { return std::holds_alternative<Sphere>(object.shape); });
-  const ExactFrame frame = exact_frame(scene.camera);
-  const auto lamps = all_exact_lamps(scene);
-  for_each_unknown(scene, layers, [&](int x, int y, std::size_t index) {
-    const Sight through = sight(scene, x, y);
-    bool near_rim = false, hit = false;
-    for (const Object& object : scene.objects) {
-      if (!object.camera_visible || !std::holds_alternative<Sphere>(object.shape)) continue;
-      const std::optional<SeenPoint> seen = sphere_point(object, frame, through, near_rim);
-      hit |= seen.has_value();
-      if (seen && in_view(scene, *seen, through) == Way::Open)
-        expect_point(scene, lamps, *seen, index, layers);
-    }
-    for (ExpectedLayer& layer : layers) {
-      if (near_rim) layer.known[index] = 0;
-      if (!near_rim && !hit && empty_elsewhere) layer.known[index] = 1;
-    }
-  });
-}
-
-void expect_shell(const Scene& scene, std::vector<ExpectedLayer>& layers) {
+void expect_shell(const Scene& scene, Canvas& canvas) {
   const auto* sphere =
       scene.objects.size() == 1 ? std::get_if<Sphere>(&scene.objects[0].shape) : nullptr;
   if (!sphere || glm::distance(scene.camera.eye, sphere->center) >= sphere->radius ||
       scene.materials[std::size_t(scene.objects[0].material)].specular != Color(0))
     throw Refusal(scene.name + ": expect: \"shell\" needs one matte sphere around the eye");
-  const auto lamps = all_exact_lamps(scene);
-  for (const auto& each : lamps)
-    for (const ExactLamp& lamp : each)
-      if (lamp.sun || lamp.spot || lamp.place != ExactVec(sphere->center))
-        throw Refusal(scene.name + ": expect: \"shell\" needs its lights at the sphere's centre");
   // Seen from the centre, any point of the shell will do.
   const ExactVec out(0, 0, 1);
   const SeenPoint seen{ExactVec(sphere->center) + Exact(sphere->radius) * out, -out, -out,
                        &scene.objects[0]};
-  for_each_unknown(scene, layers, [&](int, int, std::size_t index) {
-    expect_point(scene, lamps, seen, index, layers);
-  });
+  PixelTerms terms{PixelTerms::Sees::Surface, seen.object, {}};
+  for (const ExactLight& light : exact_lights(scene)) {
+    for (const ExactLamp& lamp : light.lamps)
+      if (lamp.sun || lamp.cone || lamp.place != ExactVec(sphere->center))
+        throw Refusal(scene.name + ": expect: \"shell\" needs its lights at the sphere's centre");
+    terms.lights.push_back(
+        terms_at(seen, light, scene.materials[std::size_t(seen.object->material)]));
+  }
+  const std::size_t pixels = std::size_t(scene.width) * std::size_t(scene.height);
+  for (std::size_t index = 0; index < pixels; ++index) paint(terms, index, canvas);
 }
 
-void expect_darkness(const Scene& scene, std::vector<ExpectedLayer>& layers) {
-  for (std::size_t k = 1; k < layers.size(); ++k)
-    std::fill(layers[k].known.begin(), layers[k].known.end(), 1);
-  const bool no_ambient = scene.ambient == Color(0) &&
-                          std::all_of(scene.lights.begin(), scene.lights.end(), [](const Light& l) {
-                            return l.intensity * l.ambient == Color(0);
-                          });
-  if (no_ambient) std::fill(layers[0].known.begin(), layers[0].known.end(), 1);
+void expect_darkness(Canvas& canvas) {
+  for (std::size_t p = 0; p < canvas.pictures.size(); ++p)
+    for (std::size_t k = 0; k < canvas.pictures[p].size(); ++k)
+      if (std::vector<std::uint8_t>& known = canvas.pictures[p][k].known;
+          k > 0 || no_ambient(canvas.colors[p]))
+        std::fill(known.begin(), known.end(), 1);
 }
 
 }  // namespace litmus

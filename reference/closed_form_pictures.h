@@ -1,28 +1,33 @@
 // closed_form_pictures.h: the oracles that give whole layers, pixel by pixel.
 #pragma once
 
+#include <span>
+
 #include "reference/closed_form.h"
 
 namespace litmus {
 
-/// Each fills the pixels of the layers that it knows and that are not known yet. All throw Refusal
-/// if the scene lacks what they need.
+/// Layers to be filled: one set in the colours of an RGB scene; of a spectral one a set for each
+/// three bands.
+struct Canvas {
+  std::vector<Scene> colors;  ///< the scene in the colours of each set
+  std::vector<std::vector<ExpectedLayer>> pictures;
+};
+Canvas canvas_of(const Scene& scene);
 
-/// Every pixel that sees a plane: O4, kd Id I (l.n) times attenuation and decay, with the specular
-/// term, and shadows by the implicit forms of closed_form_shadow.h.
-void expect_floor(const Scene& scene, std::vector<ExpectedLayer>& layers);
+/// Each fills pixels of the layers that it knows. All throw Refusal if the scene lacks what they
+/// need.
 
-/// Every pixel of a sphere in an orthographic picture, where the normal is (u, v, sqrt(1 - u^2 -
-/// v^2)) in the camera's frame; and the background, where all that is seen are planes and spheres.
-void expect_spheres(const Scene& scene, std::vector<ExpectedLayer>& layers);
+/// Floors, spheres and boxes: slide 5 at the point that closed_form_surfaces.h finds.
+void expect_surfaces(const Scene& scene, std::span<const Oracle> oracles, Canvas& canvas);
 
 /// The inside of a matte sphere around the eye with all lights at its centre: one constant per
 /// layer.
-void expect_shell(const Scene& scene, std::vector<ExpectedLayer>& layers);
+void expect_shell(const Scene& scene, Canvas& canvas);
 
 /// Every light's layer is 0 everywhere: nothing in view can be reached (a room without windows, a
 /// light of intensity 0); the ambient layer too, where Ia is 0. That this is so is the scene's
 /// claim; there is nothing to compute.
-void expect_darkness(const Scene& scene, std::vector<ExpectedLayer>& layers);
+void expect_darkness(Canvas& canvas);
 
 }  // namespace litmus

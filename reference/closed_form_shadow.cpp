@@ -6,62 +6,96 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <numeric>
+#include <type_traits>
 
 #include "scene/overload.h"
 
 namespace litmus {
 namespace {
 
-constexpr Exact kBand = kBoundaryBand;
+/// In double, which asks the extended precision wherever it is not sure, a wide band stands for
+/// all that rounding may move.
+template <class T>
+constexpr T kBand = std::is_same_v<T, double> ? T(1e-7) : T(kBoundaryBand);
 
-ExactVec step(const Passage& passage) {
-  return passage.sun ? passage.to : passage.to - passage.from;
+template <class T>
+using Vec = glm::vec<3, T>;
+
+template <class T>
+constexpr T kNoEnd = std::numeric_limits<T>::infinity();
+
+template <class T>
+struct WayOf {
+  Vec<T> from{0}, to{0}, step{0};
+  bool sun = false;
+};
+
+template <class T>
+WayOf<T> way_of(const Passage& passage) {
+  WayOf<T> way{Vec<T>(passage.from), Vec<T>(passage.to), {}, passage.sun};
+  way.step = way.sun ? way.to : way.to - way.from;
+  return way;
 }
 
-Way decide(Exact margin) {
-  return margin > kBand ? Way::Blocked : margin < -kBand ? Way::Open : Way::Unsure;
+template <class T>
+Way decide(T margin) {
+  return margin > kBand<T> ? Way::Blocked : margin < -kBand<T> ? Way::Open : Way::Unsure;
 }
 
-Way by_sphere_to_sun(const ExactVec& centre, Exact radius, const Passage& passage) {
-  const ExactVec apart = centre - passage.from;
-  const Exact along = glm::dot(apart, passage.to);
-  if (along < 0) return Way::Open;
-  // The distance from the sphere's axis is that of a point from a line.
-  return decide(1 - glm::length(glm::cross(apart, passage.to)) / radius);
+/// Outside, inside or on the sphere: positive, negative or within the band of 0.
+template <class T>
+T beyond(const Vec<T>& apart, T radius) {
+  return (glm::dot(apart, apart) / (radius * radius) - 1) / 2;
 }
 
-Way by_sphere(const Sphere& sphere, const Passage& passage) {
-  const ExactVec centre(sphere.center);
-  const Exact radius = sphere.radius;
-  const Exact out = glm::length(passage.from - centre) / radius - 1;
-  if (std::fabs(out) < kBand) return Way::Unsure;
-  if (passage.sun) return out < 0 ? Way::Blocked : by_sphere_to_sun(centre, radius, passage);
-  const ExactVec apart = centre - passage.to;
-  const Exact far = glm::length(apart);
-  if (std::fabs(far / radius - 1) < kBand) return Way::Unsure;
-  if ((out < 0) != (far < radius)) return Way::Blocked;
-  if (out < 0) return Way::Open;
-  const ExactVec way = passage.from - passage.to;
-  const Exact length = glm::length(way), tangent = far * far - radius * radius;
-  if (length * length <= tangent) return Way::Open;  // before the sphere, or beside it
-  return decide(glm::dot(way, apart) / (length * far) - std::sqrt(tangent) / far);
+/// 1 - distance / radius of the centre from the line, near 0.
+template <class T>
+Way by_sphere(const Sphere& sphere, const WayOf<T>& way) {
+  const T radius = T(sphere.radius);
+  const Vec<T> apart = Vec<T>(sphere.center) - way.from;
+  const T out = beyond(apart, radius);
+  if (std::fabs(out) < kBand<T>) return Way::Unsure;
+  const T along = glm::dot(apart, way.step), length2 = glm::dot(way.step, way.step);
+  if (way.sun) {
+    if (out < 0) return Way::Blocked;
+    if (along < 0) return Way::Open;
+  } else {
+    const T end = beyond(Vec<T>(sphere.center) - way.to, radius);
+    if (std::fabs(end) < kBand<T>) return Way::Unsure;
+    if ((out < 0) != (end < 0)) return Way::Blocked;
+    // Between two points outside, the way is nearest to the centre at an end or where it passes.
+    if (out < 0 || along <= 0 || along >= length2) return Way::Open;
+  }
+  const Vec<T> aside = glm::cross(apart, way.step);
+  return decide((1 - glm::dot(aside, aside) / (radius * radius * length2)) / 2);
 }
 
-Way by_plane(const Plane& plane, const Passage& passage) {
-  const ExactVec n = glm::normalize(ExactVec(plane.normal)), point(plane.point);
-  const Exact begin = glm::dot(passage.from - point, n), rise = glm::dot(step(passage), n);
-  const Exact end = passage.sun ? rise * std::numeric_limits<Exact>::infinity() : begin + rise;
-  if (rise == 0 || std::fabs(begin) < kBand * std::fabs(rise)) return Way::Open;
+template <class T>
+Way by_plane(const Plane& plane, const WayOf<T>& way) {
+  const Vec<T> n(plane.normal);
+  const T begin = glm::dot(way.from - Vec<T>(plane.point), n), rise = glm::dot(way.step, n);
+  const bool begins_on_it = std::fabs(begin) < kBand<T> * std::fabs(rise);
+  if constexpr (std::is_same_v<T, double>)
+    if (begins_on_it || std::fabs(begin + rise) < kBand<T> * std::fabs(rise)) return Way::Unsure;
+  const T end = way.sun ? rise * kNoEnd<T> : begin + rise;
+  if (rise == 0 || begins_on_it) return Way::Open;
   return begin * end < 0 ? Way::Blocked : Way::Open;
 }
 
-Way by_box(const Box& box, const Passage& passage) {
-  const ExactVec d = step(passage);
-  Exact low = 0, high = passage.sun ? std::numeric_limits<Exact>::infinity() : Exact(1);
+template <class T>
+T largest(const Vec<T>& v) {
+  return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
+}
+
+template <class T>
+Way by_box(const Box& box, const WayOf<T>& way) {
+  const Vec<T>& d = way.step;
+  T low = 0, high = way.sun ? kNoEnd<T> : T(1);
   bool along_a_face = false;
   for (int axis = 0; axis < 3; ++axis) {
-    const Exact below = Exact(box.min[axis]) - passage.from[axis];
-    const Exact above = Exact(box.max[axis]) - passage.from[axis];
+    const T below = T(box.min[axis]) - way.from[axis];
+    const T above = T(box.max[axis]) - way.from[axis];
     if (d[axis] == 0) {
       const Way beside = decide(std::min(-below, above) / (above - below));
       if (beside == Way::Open) return beside;
@@ -71,70 +105,125 @@ Way by_box(const Box& box, const Passage& passage) {
     low = std::max(low, std::min(below / d[axis], above / d[axis]));
     high = std::min(high, std::max(below / d[axis], above / d[axis]));
   }
-  if (low == 0 && high < kBand) return Way::Open;  // begins on a face and leaves the box
-  const Exact scale = std::isinf(high) ? low : std::max(std::fabs(low), std::fabs(high));
-  const Way way = decide(std::isinf(high) ? 1 : scale > 0 ? (high - low) / scale : -1);
-  return way == Way::Blocked && along_a_face ? Way::Unsure : way;
+  const bool in_double = std::is_same_v<T, double>;
+  if (low == 0 && high < kBand<T>)  // begins on a face and leaves the box
+    return in_double && high > -kBand<T> ? Way::Unsure : Way::Open;
+  const T scale = std::isinf(high) ? low : std::max(std::fabs(low), std::fabs(high));
+  // So near that rounding of the point itself counts.
+  if (in_double && scale * largest(d) < kBand<T> * largest(way.from)) return Way::Unsure;
+  const Way answer = decide(std::isinf(high) ? T(1) : scale > 0 ? (high - low) / scale : T(-1));
+  return answer == Way::Blocked && along_a_face ? Way::Unsure : answer;
 }
 
-Exact volume(const ExactVec& a, const ExactVec& b, const ExactVec& c) {
+template <class T>
+T volume(const Vec<T>& a, const Vec<T>& b, const Vec<T>& c) {
   return glm::dot(glm::cross(a, b), c);
 }
 
-Way by_triangle(const Point& p, const Point& q, const Point& r, const Passage& passage) {
-  const ExactVec d = step(passage);
-  const ExactVec a = ExactVec(p) - passage.from, b = ExactVec(q) - passage.from,
-                 c = ExactVec(r) - passage.from;
-  const Exact u = volume(b, c, d), v = volume(c, a, d), w = volume(a, b, d);
-  const Exact total = u + v + w;
-  const Exact size = std::fabs(u) + std::fabs(v) + std::fabs(w);
-  if (size == 0 || total == 0) return Way::Open;  // the way lies in the triangle's plane
-  const Exact inside = std::min({u / total, v / total, w / total});
-  if (inside < -kBand) return Way::Open;
-  const Exact t = volume(a, b, c) / total;
-  const Exact end = passage.sun ? std::numeric_limits<Exact>::infinity() : Exact(1);
-  if (t < kBand || t > end - kBand) return Way::Open;
+template <class T>
+Way by_triangle(const Point& p, const Point& q, const Point& r, const WayOf<T>& way) {
+  const Vec<T> a = Vec<T>(p) - way.from, b = Vec<T>(q) - way.from, c = Vec<T>(r) - way.from;
+  const T u = volume(b, c, way.step), v = volume(c, a, way.step), w = volume(a, b, way.step);
+  const T total = u + v + w, size = std::fabs(u) + std::fabs(v) + std::fabs(w);
+  if constexpr (std::is_same_v<T, double>) {
+    // What rounding makes of each volume, against their sum.
+    const T far = std::max({glm::dot(a, a), glm::dot(b, b), glm::dot(c, c)});
+    if (std::fabs(total) < 1e-6 * far * glm::length(way.step)) return Way::Unsure;
+  } else if (size == 0 || total == 0) {
+    return Way::Open;  // the way lies in the triangle's plane
+  }
+  const T inside = std::min({u / total, v / total, w / total});
+  if (inside < -kBand<T>) return Way::Open;
+  const T t = volume(a, b, c) / total, end = way.sun ? kNoEnd<T> : T(1);
+  const bool at_an_end = std::fabs(t) < kBand<T> || std::fabs(t - end) < kBand<T>;
+  if (std::is_same_v<T, double> && at_an_end) return Way::Unsure;
+  if (t < kBand<T> || t > end - kBand<T>) return Way::Open;
   return decide(inside);
 }
 
-/// The box around all vertices, a little larger.
-Box bounds_of(const Mesh& mesh) {
-  Box box{mesh.vertices.front(), mesh.vertices.front()};
-  for (const Point& vertex : mesh.vertices)
-    box = {glm::min(box.min, vertex), glm::max(box.max, vertex)};
-  const Vector margin = 1e-6 * (box.max - box.min + glm::length(box.max - box.min));
-  return {box.min - margin, box.max + margin};
-}
+using Facets = std::span<const std::int32_t>;
 
-Way by_mesh(const Mesh& mesh, const Passage& passage) {
-  if (by_box(bounds_of(mesh), passage) == Way::Open) return Way::Open;
+/// Of the triangles in question: a single one that holds the way is enough.
+template <class T>
+Way by_facets(const Mesh& mesh, Facets indices, const WayOf<T>& way) {
   bool unsure = false;
-  for (const auto& [i, j, k] : mesh.triangles) {
-    const auto at = [&](std::int32_t index) { return mesh.vertices[std::size_t(index)]; };
-    const Way way = by_triangle(at(i), at(j), at(k), passage);
-    if (way == Way::Blocked) return way;
-    unsure |= way == Way::Unsure;
+  for (const auto index : indices) {
+    const auto& [i, j, k] = mesh.triangles[std::size_t(index)];
+    const Way answer = by_triangle(mesh.vertices[std::size_t(i)], mesh.vertices[std::size_t(j)],
+                                   mesh.vertices[std::size_t(k)], way);
+    if (answer == Way::Blocked) return answer;
+    unsure |= answer == Way::Unsure;
   }
   return unsure ? Way::Unsure : Way::Open;
+}
+
+/// `facets` are the triangles to ask, of a mesh.
+template <class T>
+Way by_object(const Object& object, Facets facets, const WayOf<T>& way) {
+  return std::visit(Overload{[&](const Sphere& sphere) { return by_sphere(sphere, way); },
+                             [&](const Plane& plane) { return by_plane(plane, way); },
+                             [&](const Box& box) { return by_box(box, way); },
+                             [&](const Triangle& t) { return by_triangle(t.a, t.b, t.c, way); },
+                             [&](const Mesh& mesh) { return by_facets(mesh, facets, way); }},
+                    object.shape);
+}
+
+/// Coordinates up to which double precision is a hundred times finer than its band.
+double reach_of(const Object& object) {
+  const auto size = [](const glm::dvec3& low, const glm::dvec3& high) {
+    return largest<double>(high - low);
+  };
+  return std::visit(
+      Overload{[&](const Sphere& sphere) { return 1e7 * sphere.radius; },
+               [&](const Plane&) { return kNoEnd<double>; },
+               [&](const Box& box) {
+                 const glm::dvec3 sides = box.max - box.min;
+                 return 1e7 * std::min({sides.x, sides.y, sides.z});
+               },
+               [&](const Triangle& t) { return 1e4 * std::max(size(t.a, t.b), size(t.a, t.c)); },
+               [&](const Mesh& mesh) {
+                 glm::dvec3 low = mesh.vertices.front(), high = low;
+                 for (const Point& v : mesh.vertices)
+                   low = glm::min(low, v), high = glm::max(high, v);
+                 return 1e3 * size(low, high);
+               }},
+      object.shape);
+}
+
+std::vector<std::int32_t> all_facets(const Object& object) {
+  const auto* mesh = std::get_if<Mesh>(&object.shape);
+  std::vector<std::int32_t> all(mesh ? mesh->triangles.size() : 0);
+  std::iota(all.begin(), all.end(), 0);
+  return all;
 }
 
 }  // namespace
 
 Way passage_by(const Object& object, const Passage& passage) {
-  return std::visit(Overload{[&](const Sphere& sphere) { return by_sphere(sphere, passage); },
-                             [&](const Plane& plane) { return by_plane(plane, passage); },
-                             [&](const Box& box) { return by_box(box, passage); },
-                             [&](const Triangle& t) { return by_triangle(t.a, t.b, t.c, passage); },
-                             [&](const Mesh& mesh) { return by_mesh(mesh, passage); }},
-                    object.shape);
+  return by_object(object, all_facets(object), way_of<Exact>(passage));
 }
 
-Way passage_through(const Scene& scene, const Passage& passage, const Object* skipped,
-                    bool seen_only) {
-  bool unsure = false;
+Obstacles obstacles(const Scene& scene, const PencilEnd& end, bool seen_only) {
+  Obstacles all;
   for (const Object& object : scene.objects) {
-    if (&object == skipped || (seen_only && !object.camera_visible)) continue;
-    const Way way = passage_by(object, passage);
+    if (seen_only && !object.camera_visible) continue;
+    Obstacles::One one{&object, reach_of(object)};
+    if (!end.parallel && largest(end.to) > one.reach) one.reach = -1;
+    if (const auto* mesh = std::get_if<Mesh>(&object.shape)) one.facets.emplace(*mesh, end);
+    all.each.push_back(std::move(one));
+  }
+  return all;
+}
+
+Way passage_through(const Obstacles& obstacles, const Passage& passage, const Object* skipped) {
+  const WayOf<double> rounded = way_of<double>(passage);
+  const double size = std::max(largest(rounded.from), passage.sun ? 0 : largest(rounded.to));
+  bool unsure = false;
+  for (const Obstacles::One& one : obstacles.each) {
+    if (one.object == skipped) continue;
+    const Facets facets = one.facets ? one.facets->near(rounded.from) : Facets();
+    Way way = size <= one.reach ? by_object(*one.object, facets, rounded) : Way::Unsure;
+    if (way == Way::Unsure) way = by_object(*one.object, facets, way_of<Exact>(passage));
     if (way == Way::Blocked) return way;
     unsure |= way == Way::Unsure;
   }

@@ -10,36 +10,29 @@
 namespace litmus {
 namespace {
 
-/// kd Id (l.n) + ks Is (h.n)^ns of one lamp that nothing hides, apart from all colours.
-struct Factors {
-  Exact diffuse = 0, specular = 0;
-  bool sure = true;
-};
-
-Factors factors(const Scene& scene, const ExactLamp& lamp, const SeenPoint& seen,
-                const Material& material) {
+/// The terms of one lamp; `before` is null where nothing casts a shadow.
+ExactTerms terms_of(const SeenPoint& seen, const ExactLamp& lamp, const Obstacles* before,
+                    const Material& material) {
   if (!lamp.sun && lamp.place == seen.at) return {};  // a lamp on the surface has no direction
   const ExactVec l = lamp.sun ? lamp.place : glm::normalize(lamp.place - seen.at);
   const Exact cosine = glm::dot(l, seen.normal);
   const bool shiny = material.specular != Color(0);
   if (cosine <= 0) return {0, 0, cosine < -kBoundaryBand || !shiny};
-  Factors result;
-  if (scene.shadows) {
-    const Way way = passage_through(scene, {seen.at, lamp.place, lamp.sun}, seen.object);
+  const Exact arrives = arriving(lamp, seen.at);
+  if (arrives == 0) return {};  // outside the cone, where the decay begins with 0
+  if (before) {
+    const Way way = passage_through(*before, {seen.at, lamp.place, lamp.sun}, seen.object);
     if (way != Way::Open) return {0, 0, way == Way::Blocked};
   }
-  const Exact arrives = arriving(lamp, seen.at);
-  result.diffuse = arrives * cosine;
-  if (!shiny) return result;
-  result.sure = cosine > kBoundaryBand;
+  ExactTerms terms{arrives * cosine};
+  if (!shiny) return terms;
+  terms.sure = cosine > kBoundaryBand;
   const ExactVec both = l + seen.eye;
   if (const Exact length = glm::length(both); length > 0)
     if (const Exact c = glm::dot(both, seen.normal) / length; c > 0)
-      result.specular = arrives * std::pow(c, Exact(material.shininess));
-  return result;
+      terms.specular = arrives * std::pow(c, Exact(material.shininess));
+  return terms;
 }
-
-glm::dvec3 rounded(const ExactVec& v) { return {double(v.x), double(v.y), double(v.z)}; }
 
 }  // namespace
 
@@ -51,15 +44,27 @@ ExactFrame exact_frame(const Camera& camera) {
   return frame;
 }
 
-Sight sight(const Scene& scene, int x, int y) {
-  const ExactFrame frame = exact_frame(scene.camera);
-  const Exact u = Exact(2 * x + 1 - scene.width) / scene.height;
-  const Exact v = Exact(scene.height - 1 - 2 * y) / scene.height;
-  const ExactVec aside = u * frame.right + v * frame.up, eye(scene.camera.eye);
-  if (scene.camera.projection == Projection::Orthographic)
-    return {eye + aside * Exact(scene.camera.height / 2), frame.forward};
-  const Exact half = std::tan(Exact(scene.camera.fov) / 2);
-  return {eye, glm::normalize(frame.forward + half * aside)};
+View view_of(const Scene& scene) {
+  const Camera& camera = scene.camera;
+  const bool parallel = camera.projection == Projection::Orthographic;
+  return {exact_frame(camera),
+          ExactVec(camera.eye),
+          parallel,
+          parallel ? Exact(camera.height) / 2 : std::tan(Exact(camera.fov) / 2),
+          scene.width,
+          scene.height};
+}
+
+Sight sight(const View& view, int x, int y) {
+  const Exact u = Exact(2 * x + 1 - view.width) / view.height;
+  const Exact v = Exact(view.height - 1 - 2 * y) / view.height;
+  const ExactVec aside = view.half * (u * view.frame.right + v * view.frame.up);
+  if (view.parallel) return {view.eye + aside, view.frame.forward};
+  return {view.eye, glm::normalize(view.frame.forward + aside)};
+}
+
+PencilEnd eye_of(const View& view) {
+  return {glm::dvec3(view.parallel ? -view.frame.forward : view.eye), view.parallel};
 }
 
 const Object& floor_of(const Scene& scene) {
@@ -90,36 +95,25 @@ std::optional<SeenPoint> floor_point(const Object& floor, const Sight& sight) {
   return SeenPoint{sight.start + t * sight.along, fall < 0 ? n : -n, -sight.along, &floor};
 }
 
-Way in_view(const Scene& scene, const SeenPoint& seen, const Sight& sight) {
-  return passage_through(scene, {seen.at, sight.start}, seen.object, true);
-}
-
-std::vector<std::vector<ExactLamp>> all_exact_lamps(const Scene& scene) {
-  std::vector<std::vector<ExactLamp>> lamps;
-  for (const Light& light : scene.lights) lamps.push_back(exact_lamps(light));
-  return lamps;
-}
-
-void expect_point(const Scene& scene, const std::vector<std::vector<ExactLamp>>& lamps,
-                  const SeenPoint& seen, std::size_t index, std::vector<ExpectedLayer>& layers) {
-  const Material& material = scene.materials[std::size_t(seen.object->material)];
-  ExactVec ambient(scene.ambient);
-  for (const Light& light : scene.lights)
-    ambient += Exact(light.intensity) * ExactVec(light.ambient);
-  layers[0].picture.pixels[index] = rounded(ExactVec(material.ambient) * ambient);
-  layers[0].known[index] = 1;
-  for (std::size_t k = 0; k < lamps.size(); ++k) {
-    const Light& light = scene.lights[k];
-    Factors total;
-    for (const ExactLamp& lamp : lamps[k]) {
-      const Factors one = factors(scene, lamp, seen, material);
-      total.diffuse += one.diffuse, total.specular += one.specular, total.sure &= one.sure;
-    }
-    const ExactVec lit = ExactVec(material.diffuse) * ExactVec(light.diffuse) * total.diffuse +
-                         ExactVec(material.specular) * ExactVec(light.specular) * total.specular;
-    layers[k + 1].picture.pixels[index] = rounded(Exact(light.intensity) * lit);
-    layers[k + 1].known[index] = total.sure;
+std::vector<ExactLight> exact_lights(const Scene& scene) {
+  std::vector<ExactLight> lights;
+  for (const Light& light : scene.lights) {
+    ExactLight& exact = lights.emplace_back(ExactLight{exact_lamps(light), {}});
+    if (!scene.shadows) continue;
+    for (const ExactLamp& lamp : exact.lamps)
+      exact.before.push_back(obstacles(scene, {glm::dvec3(lamp.place), lamp.sun}));
   }
+  return lights;
+}
+
+ExactTerms terms_at(const SeenPoint& seen, const ExactLight& light, const Material& material) {
+  ExactTerms total;
+  for (std::size_t i = 0; i < light.lamps.size(); ++i) {
+    const ExactTerms one =
+        terms_of(seen, light.lamps[i], light.before.empty() ? nullptr : &light.before[i], material);
+    total.diffuse += one.diffuse, total.specular += one.specular, total.sure &= one.sure;
+  }
+  return total;
 }
 
 }  // namespace litmus

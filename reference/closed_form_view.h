@@ -1,4 +1,4 @@
-// closed_form_view.h: from a pixel to the floor, and what a point that is seen must show.
+// closed_form_view.h: from a pixel to what it sees, and what light does there.
 #pragma once
 
 #include <optional>
@@ -8,19 +8,32 @@
 
 namespace litmus {
 
-/// The ray through a pixel's centre: from `start`, along the unit vector `along`.
-struct Sight {
-  ExactVec start{0}, along{0};
-};
-
 /// The camera's axes: unit vectors, z up in the picture's sense (right, up, forward).
 struct ExactFrame {
   ExactVec right{0}, up{0}, forward{0};
 };
 ExactFrame exact_frame(const Camera& camera);
 
+/// A camera with what all its pixels have in common.
+struct View {
+  ExactFrame frame;
+  ExactVec eye{0};
+  bool parallel = false;  ///< orthographic
+  Exact half = 0;         ///< of the picture's height, at the distance 1 in perspective
+  int width = 0, height = 0;
+};
+View view_of(const Scene& scene);
+
+/// The ray through a pixel's centre: from `start`, along the unit vector `along`.
+struct Sight {
+  ExactVec start{0}, along{0};
+};
+
 /// x to the right, y down, (0, 0) the top left pixel.
-Sight sight(const Scene& scene, int x, int y);
+Sight sight(const View& view, int x, int y);
+
+/// Where all ways to the eye end.
+PencilEnd eye_of(const View& view);
 
 /// A point of a surface as it is seen: `normal` and `eye` are unit and on one side.
 struct SeenPoint {
@@ -35,15 +48,22 @@ const Object& floor_of(const Scene& scene);
 /// Where the ray meets the floor in front of the eye, whether or not something else hides it.
 std::optional<SeenPoint> floor_point(const Object& floor, const Sight& sight);
 
-/// Nothing (hidden by what the camera sees), unsure, or in view.
-Way in_view(const Scene& scene, const SeenPoint& seen, const Sight& sight);
+/// What a light may do at every point: its lamps, and what stands before each of them; nothing
+/// does in a scene without shadows.
+struct ExactLight {
+  std::vector<ExactLamp> lamps;
+  std::vector<Obstacles> before;
+};
 
-/// The lamps of each light, in the scene's order.
-std::vector<std::vector<ExactLamp>> all_exact_lamps(const Scene& scene);
+/// Of each light, in the scene's order.
+std::vector<ExactLight> exact_lights(const Scene& scene);
 
-/// Sets pixel `index` of every layer to what the seen point shows by slide 5, as far as it is
-/// known.
-void expect_point(const Scene& scene, const std::vector<std::vector<ExactLamp>>& lamps,
-                  const SeenPoint& seen, std::size_t index, std::vector<ExpectedLayer>& layers);
+/// Slide 5 without colours and intensity: the sums of (l.n) and of (h.n)^ns over the lamps in view,
+/// times what arrives of each.
+struct ExactTerms {
+  Exact diffuse = 0, specular = 0;
+  bool sure = true;  ///< no boundary is too near
+};
+ExactTerms terms_at(const SeenPoint& seen, const ExactLight& light, const Material& material);
 
 }  // namespace litmus

@@ -27,19 +27,29 @@ fs::path file_of(const Scene& scene, std::string_view renderer, const fs::path& 
   return folder / scene.name / (std::string(renderer) + std::string(extension));
 }
 
-/// Throws, saying what is wrong, unless the images are sound and the scene's.
+/// What differs where the fingerprints do. Without the CIE's tables a scene is another one than
+/// with them, and to refresh its images would make them wrong for everybody else.
+std::string made_from_another(const Scene& scene) {
+  if (scene.spectra && !scene.spectra->note.empty())
+    return fmt::format("it was made with the CIE's table, and here {}", scene.spectra->note);
+  return fmt::format("made from another version of this scene: {}", kRemedy);
+}
+
+/// Throws, saying what is wrong and the remedy, unless the images are sound and the scene's.
 StoredReference read_stored(const Scene& scene, const fs::path& image, const fs::path& about) {
   std::ifstream text(about);
-  if (!text) throw Refusal(about.filename().string() + " is missing");
+  if (!text) throw Refusal(fmt::format("{} is missing: {}", about.filename().string(), kRemedy));
   const auto meta = Json::parse(text);
-  if (meta.at("schema") != kStoredSchema) throw Refusal("of another schema");
-  if (meta.at("scene_fingerprint") != fingerprint(scene))
-    throw Refusal("made from another version of this scene");
-  if (meta.at("checksum") != hash_file(image)) throw Refusal("damaged (checksum)");
+  if (meta.at("schema") != kStoredSchema)
+    throw Refusal(fmt::format("of another schema: {}", kRemedy));
+  if (meta.at("scene_fingerprint") != fingerprint(scene)) throw Refusal(made_from_another(scene));
+  if (meta.at("checksum") != hash_file(image))
+    throw Refusal(fmt::format("damaged (checksum): {}", kRemedy));
 
   StoredReference stored;
   stored.layers = read_layers(image);
-  if (const auto wrong = misfit(scene, stored.layers); !wrong.empty()) throw Refusal(wrong);
+  if (const auto wrong = misfit(scene, stored.layers); !wrong.empty())
+    throw Refusal(fmt::format("{}: {}", wrong, kRemedy));
   stored.version = meta.at("renderer_version");
   stored.command = meta.at("command");
   stored.seconds = meta.at("seconds");
@@ -62,6 +72,9 @@ StoredLookup load_stored(const Scene& scene, std::string_view renderer, const fs
     return {std::nullopt, fmt::format("no stored {} image of {}", renderer, scene.name)};
   try {
     return {read_stored(scene, image, file_of(scene, renderer, folder, ".json")), ""};
+  } catch (const Refusal& wrong) {
+    return {std::nullopt, fmt::format("the stored {} image of {} is not used: {}", renderer,
+                                      scene.name, wrong.what())};
   } catch (const std::exception& wrong) {
     return {std::nullopt, fmt::format("the stored {} image of {} is not used: {}: {}", renderer,
                                       scene.name, wrong.what(), kRemedy)};

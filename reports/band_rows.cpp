@@ -9,11 +9,6 @@
 namespace litmus {
 namespace {
 
-/// The layer of a picture of three bands; behind the last one the whole.
-Picture picture_of(const Layers& layers, std::size_t index) {
-  return index < layers.size() ? layers[index].picture : sum(layers);
-}
-
 bool worse(const Comparison& a, const Comparison& b) {
   const auto rank = [](const Comparison& row) {
     return std::tuple(row.verdict == "fail", row.nonfinite, row.max_abs);
@@ -22,6 +17,16 @@ bool worse(const Comparison& a, const Comparison& b) {
 }
 
 }  // namespace
+
+Picture band_layer(const Layers& three, std::size_t index) {
+  return index < three.size() ? three[index].picture : sum(three);
+}
+
+void keep_worst(std::vector<Comparison>& worst, std::vector<Comparison> rows) {
+  if (worst.empty()) worst = rows;
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    if (worse(rows[i], worst[i])) worst[i] = std::move(rows[i]);
+}
 
 std::optional<BandSide> band_side(const Scene& scene, const RenderOptions& options,
                                   BandRendering& rendering) {
@@ -37,15 +42,12 @@ std::vector<Comparison> compare_bands(const CaseLayer& layer, std::size_t index,
   std::vector<Comparison> worst;
   for (std::size_t p = 0; p < ours.pictures.size(); ++p) {
     CaseLayer three{
-        layer.light, layer.light_type, picture_of(ours.pictures[p], index), layer.edge, {},
+        layer.light, layer.light_type, band_layer(ours.pictures[p], index), layer.edge, {},
         {},          layer.flags};
     std::vector<Comparison> rows =
-        compare_layer(three, index, picture_of(theirs[p], index), reference, ours.probes[p]);
+        compare_layer(three, index, band_layer(theirs[p], index), reference, ours.probes[p]);
     for (Comparison& row : rows) row.bands = band_range(ours.spectra, int(p));
-    if (p == 0) worst = rows;
-    // The regions are those of the edges and flags, the same for every picture.
-    for (std::size_t i = 0; i < rows.size(); ++i)
-      if (worse(rows[i], worst[i])) worst[i] = std::move(rows[i]);
+    keep_worst(worst, std::move(rows));
   }
   return worst;
 }

@@ -11,8 +11,10 @@
 #include "compare/regions.h"
 #include "compare/verdict.h"
 #include "reference/closed_form.h"
+#include "reports/band_rows.h"
 #include "reports/rows.h"
 #include "reports/suspects.h"
+#include "scene/bands.h"
 #include "scene/expect.h"
 #include "scene/refusal.h"
 
@@ -49,8 +51,9 @@ PixelMask edge_or_unknown(const CaseLayer& layer, const PixelMask& known) {
   return mask;
 }
 
-/// The rows of one layer's pixels; none where nothing is known.
-std::vector<Comparison> pixel_rows(const CaseLayer& layer, const ExpectedLayer& expected) {
+/// The rows of one layer's pixels in our picture of it; none where nothing is known.
+std::vector<Comparison> pixel_rows(const CaseLayer& layer, const Picture& ours,
+                                   const ExpectedLayer& expected) {
   std::vector<Comparison> rows;
   std::vector<RegionVerdict> verdicts;
   for (const Region region : {Region::Interior, Region::Lit, Region::Penumbra, Region::Umbra,
@@ -58,7 +61,7 @@ std::vector<Comparison> pixel_rows(const CaseLayer& layer, const ExpectedLayer& 
     PixelMask members = members_of(layer, region);
     restrict(members, expected.known);
     const Tolerance tolerance = find_tolerance(kClosedForm, region);
-    const Difference d = difference(layer.ours, expected.picture, members, tolerance.max_abs);
+    const Difference d = difference(ours, expected.picture, members, tolerance.max_abs);
     if (d.pixels == 0) continue;
     const Verdict verdict = region == Region::All ? combine(verdicts) : judge(d, tolerance);
     Comparison& row = rows.emplace_back(row_of(d, name_of(region), tolerance));
@@ -68,8 +71,7 @@ std::vector<Comparison> pixel_rows(const CaseLayer& layer, const ExpectedLayer& 
   }
   const bool fails = !rows.empty() && rows.back().verdict == "fail";
   const std::string hint =
-      fails ? explain_units(layer.ours, expected.picture, edge_or_unknown(layer, expected.known))
-            : "";
+      fails ? explain_units(ours, expected.picture, edge_or_unknown(layer, expected.known)) : "";
   for (Comparison& row : rows)
     if (row.verdict == "fail") row.hint = hint;
   return rows;
@@ -84,6 +86,19 @@ ExpectedLayer whole_of(const std::vector<ExpectedLayer>& layers) {
       whole.picture.pixels[i] += layers[k].picture.pixels[i];
     }
   return whole;
+}
+
+/// Those of a spectral scene: of each region the row of the worst three bands.
+std::vector<Comparison> band_pixel_rows(const CaseLayer& layer, std::size_t index,
+                                        const BandSide& ours, const ClosedForm& known) {
+  std::vector<Comparison> worst;
+  for (std::size_t p = 0; p < known.bands.size(); ++p) {
+    std::vector<Comparison> rows =
+        pixel_rows(layer, band_layer(ours.pictures[p], index), known.bands[p][index]);
+    for (Comparison& row : rows) row.bands = band_range(ours.spectra, int(p));
+    keep_worst(worst, std::move(rows));
+  }
+  return worst;
 }
 
 Comparison claim_row(const Claim& claim, const Picture& ours) {
@@ -142,7 +157,8 @@ void add_skipped(Study& study, const Case& entry, const std::string& reason) {
 
 }  // namespace
 
-void compare_with_closed_form(const Scene& scene, Case& entry, Study& study) {
+void compare_with_closed_form(const Scene& scene, Case& entry, const BandSide* bands,
+                              Study& study) {
   if (scene.expect.empty()) return;
   ClosedForm known;
   try {
@@ -151,10 +167,12 @@ void compare_with_closed_form(const Scene& scene, Case& entry, Study& study) {
     return add_skipped(study, entry, wrong.what());
   }
   if (!known.layers.empty()) known.layers.push_back(whole_of(known.layers));
+  for (std::vector<ExpectedLayer>& three : known.bands) three.push_back(whole_of(three));
   for (std::size_t k = 0; k < entry.layers.size(); ++k) {
     CaseLayer& layer = entry.layers[k];
     if (!known.layers.empty()) {
-      for (Comparison& row : pixel_rows(layer, known.layers[k]))
+      for (Comparison& row : bands ? band_pixel_rows(layer, k, *bands, known)
+                                   : pixel_rows(layer, layer.ours, known.layers[k]))
         add(study, entry, layer, std::move(row));
       compare_pairs(entry, layer, {kClosedForm, "computed", known.layers[k].picture},
                     edge_or_unknown(layer, known.layers[k].known), study.pairs);

@@ -1,6 +1,7 @@
 // closed_form_rows.h: a case against what is true of it without any renderer.
 #pragma once
 
+#include "reports/band_rows.h"
 #include "reports/study.h"
 
 namespace litmus {
@@ -11,7 +12,8 @@ namespace litmus {
 /// compare_layer(), over the pixels that are known, in regions that have any; no edge pixel is
 /// excused. A claim's row counts the pixels where it does not hold
 /// (`over_tolerance`); a figure's row has |measured - exact| as `max_abs`. A scene without [expect]
-/// gets no row; one that an oracle refuses gets a skipped one, which says why.
-void compare_with_closed_form(const Scene& scene, Case& entry, Study& study);
+/// gets no row; one that an oracle refuses gets a skipped one, which says why. Of a spectral scene,
+/// whose pictures per band are `bands` (null for RGB), a row is that of the worst three bands.
+void compare_with_closed_form(const Scene& scene, Case& entry, const BandSide* bands, Study& study);
 
 }  // namespace litmus

@@ -185,7 +185,8 @@ Study compare_scene(const Scene& scene, RenderedScene ours, const SceneSources& 
                      bands ? &*bands : nullptr};
   for (const ObtainedReference& reference : sources.references)
     compare_with(entry, reference, side, study.comparisons);
-  if (wants_closed_forms(options.references)) compare_with_closed_form(scene, entry, study);
+  if (wants_closed_forms(options.references))
+    compare_with_closed_form(scene, entry, side.bands, study);
   compare_references(entry, study);
   for (const ExtraSource& extra : sources.extras)
     compare_with_extra(entry, extra, sources.index, sources.references.size(), side, study);

@@ -9,6 +9,7 @@
 #include "reports/panels.h"
 #include "reports/wavelength_figure.h"
 #include "scene/load.h"
+#include "scene/observer.h"
 #include "tracer/lights.h"
 #include "tracer/render.h"
 
@@ -143,21 +144,19 @@ GalleryFigure exponents(int threads) {
   return figure;
 }
 
-}  // namespace
-
-bool is_full_run(const Study& study) {
-  std::set<std::string> names;
-  for (const Case& one : study.cases) names.insert(one.scene);
-  const std::vector<std::filesystem::path> files = canonical_scenes();
-  return !files.empty() && std::all_of(files.begin(), files.end(), [&](const auto& file) {
-    return names.contains(file.stem().string());
-  });
+/// Whether a scene cannot be loaded here for want of a package's data.
+bool lacks_data(const std::filesystem::path& file) {
+  try {
+    load_scene(file);
+  } catch (const MissingData&) {
+    return true;
+  }
+  return false;
 }
 
-std::vector<GalleryFigure> gallery(int threads) {
+std::vector<GalleryFigure> figures_of_lights(int threads) {
   const Scene area = panel_scene("x4");
   return {
-      wavelength_figure(threads),
       one_render("slide 7", "Sun light", "Parallel rays, equal everywhere.", "x1", threads),
       one_render("slide 9", "Point light", "Weaker with distance.", "x2", threads),
       {"slide 12",
@@ -175,6 +174,23 @@ std::vector<GalleryFigure> gallery(int threads) {
        "scene's origin.",
        {{"", "", area_setup(std::get<AreaLight>(area.lights[0].shape))}}},
   };
+}
+
+}  // namespace
+
+bool is_full_run(const Study& study) {
+  std::set<std::string> names;
+  for (const Case& one : study.cases) names.insert(one.scene);
+  const std::vector<std::filesystem::path> files = canonical_scenes();
+  return !files.empty() && std::all_of(files.begin(), files.end(), [&](const auto& file) {
+    return names.contains(file.stem().string()) || lacks_data(file);
+  });
+}
+
+std::vector<GalleryFigure> gallery(int threads) {
+  std::vector<GalleryFigure> figures = figures_of_lights(threads);
+  if (!lacks_data(find_scene("w2"))) figures.insert(figures.begin(), wavelength_figure(threads));
+  return figures;
 }
 
 }  // namespace litmus

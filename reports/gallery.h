@@ -19,12 +19,14 @@ struct GalleryFigure {
   std::vector<GalleryPanel> panels;
 };
 
-/// Whether the study covers every canonical scene: then its report has the gallery.
+/// Whether the study covers every canonical scene that can be loaded here: then its report has the
+/// gallery.
 bool is_full_run(const Study& study);
 
 /// The figures of slides 2-5 (wavelength), 7, 9, 12, 13, 14, 17, 18 and 20, made from the canonical
 /// scenes w2 and x1-x4 (slide 5's equation and sample code: sample_code.h; with `threads` as in
-/// RenderOptions). Throws Refusal if one of them cannot be read.
+/// RenderOptions). Without the data that w2 needs, without the first of them. Throws Refusal if one
+/// of them cannot be read.
 std::vector<GalleryFigure> gallery(int threads = 0);
 
 }  // namespace litmus

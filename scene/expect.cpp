@@ -15,8 +15,11 @@ constexpr std::array kNames{
                "Every pixel that sees a plane has the value that distance and angle give it, where "
                "no caster's cone or slab holds the way to the light."},
     OracleName{Oracle::Spheres, "spheres",
-               "In an orthographic picture the normal of a sphere is (u, v, sqrt(1 - u^2 - v^2)), "
-               "which gives each of its pixels."},
+               "Every pixel that sees a sphere: in the frame of its ray the normal is (u, v, "
+               "sqrt(1 - u^2 - v^2))."},
+    OracleName{Oracle::Boxes, "boxes",
+               "Every pixel that sees a box: its face is the last of three pairs of planes that "
+               "the ray comes between."},
     OracleName{Oracle::Shell, "shell",
                "Inside a sphere with the light at its centre all pixels are one constant."},
     OracleName{Oracle::Dark, "dark", "No light reaches anything in view: every pixel of it is 0."},

@@ -16,6 +16,16 @@ Scene load_scene(const std::filesystem::path& file);
 /// The canonical scenes' files, in order of name.
 std::vector<std::filesystem::path> canonical_scenes();
 
+/// The canonical scenes that can be loaded here, in order of name.
+struct CanonicalScenes {
+  std::vector<Scene> scenes;
+  std::vector<std::string> left_out;  ///< of each that needs data of a package: why, and the remedy
+};
+
+/// Loads them all but those that need data which is not installed (MissingData of observer.h).
+/// Throws Refusal for any other fault.
+CanonicalScenes load_canonical_scenes();
+
 /// A path as given, or the canonical scene of that name ("d1-sun-floor") or id ("d1"; any case).
 /// Throws Refusal that lists near names if there is none.
 std::filesystem::path find_scene(const std::string& name_or_path);

@@ -23,7 +23,7 @@ bool names_spectrum(const Fields& fields) {
 struct Painter {
   const Palette& palette;
   int bands;
-  std::vector<std::string>& warnings;
+  std::string& note;
 
   /// `color` is what the RGB reading made of the key, which stands for a number or a default.
   std::vector<double> paint(const Fields& fields, std::string_view key, const Color& color) const {
@@ -37,9 +37,8 @@ struct Painter {
     const std::string name = fields.text(key);
     const Spectrum* spectrum = palette.find(name);
     if (!spectrum) fields.refuse_word(key, name, palette.names());
-    if (const auto note = palette.notes.find(name); note != palette.notes.end())
-      if (!std::count(warnings.begin(), warnings.end(), note->second))
-        warnings.push_back(note->second);
+    if (const auto found = palette.notes.find(name); found != palette.notes.end())
+      note = found->second;
     return band_means(*spectrum, bands);
   }
 };
@@ -91,7 +90,7 @@ void read_spectra(const Fields& root, Scene& scene) {
   Spectra& spectra = scene.spectra.emplace();
   spectra.bands = root.integer("bands", 1, kMostBands, kDefaultBands);
   const Palette palette = read_palette(root);
-  const Painter painter{palette, spectra.bands, scene.warnings};
+  const Painter painter{palette, spectra.bands, spectra.note};
   spectra.ambient = painter.paint(root, "ambient", scene.ambient);
   for (std::size_t i = 0; i < scene.materials.size(); ++i) {
     const Fields fields(root.file(), root.tables("material")[i], "a material");
@@ -108,6 +107,7 @@ void read_spectra(const Fields& root, Scene& scene) {
                               painter.paint(fields, one ? "color" : "diffuse", light.diffuse),
                               painter.paint(fields, one ? "color" : "specular", light.specular)});
   }
+  if (!spectra.note.empty()) scene.warnings.push_back(spectra.note);
   const Observer observer = cie_1931_observer();
   if (!observer.note.empty()) scene.warnings.push_back(observer.note);
   const Spectrum& white = *palette.find("D65");

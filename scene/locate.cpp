@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "scene/load.h"
+#include "scene/observer.h"
 #include "scene/refusal.h"
 #include "scene/words.h"
 
@@ -64,6 +65,18 @@ std::vector<fs::path> canonical_scenes() {
     if (entry.path().extension() == ".toml") scenes.push_back(entry.path());
   std::sort(scenes.begin(), scenes.end());
   return scenes;
+}
+
+CanonicalScenes load_canonical_scenes() {
+  CanonicalScenes all;
+  for (const fs::path& file : canonical_scenes()) {
+    try {
+      all.scenes.push_back(load_scene(file));
+    } catch (const MissingData& missing) {
+      all.left_out.push_back(missing.what());
+    }
+  }
+  return all;
 }
 
 fs::path find_scene(const std::string& name_or_path) {

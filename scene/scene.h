@@ -141,6 +141,7 @@ struct Spectra {
   std::vector<double> ambient;                ///< the scene's part of Ia
   std::vector<BandColors> materials, lights;  ///< as Scene::materials and Scene::lights
   std::vector<glm::dvec3> xyz;  ///< CIE 1931 XYZ of a band of value 1, where D65 has Y = 1
+  std::string note{};  ///< what a colour is only near to, and the remedy; empty: all are as named
 };
 
 /// The slide's equation, or the slide's sample code (they differ: README, "The sample code").
@@ -152,6 +153,7 @@ enum class Oracle {
   Ambient,
   Floor,
   Spheres,
+  Boxes,
   Shell,
   Dark,
   ShadowCurves,

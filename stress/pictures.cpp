@@ -211,8 +211,7 @@ void add_rounding_rows(std::vector<StressRow>& rows, const std::vector<Scene>& s
 std::vector<StressRow> stress_pictures(const StressOptions&) {
   const std::vector<Scene> hostile = hostile_scenes();
   std::vector<StressRow> rows{nonfinite_row<float>(hostile), nonfinite_row<double>(hostile)};
-  std::vector<Scene> canonical;
-  for (const auto& file : canonical_scenes()) canonical.push_back(load_scene(file));
+  const std::vector<Scene> canonical = load_canonical_scenes().scenes;
   add_rounding_rows<float>(rows, canonical);
   add_rounding_rows<double>(rows, canonical);
   return rows;

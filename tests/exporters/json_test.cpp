@@ -54,15 +54,15 @@ Scene full_scene() {
   return scene;
 }
 
-class CanonicalExport : public testing::TestWithParam<std::filesystem::path> {};
+class CanonicalExport : public testing::TestWithParam<Scene> {};
 
 TEST_P(CanonicalExport, SatisfiesTheSchema) {
-  EXPECT_THAT(schema_errors(exported(load_scene(GetParam()))), IsEmpty());
+  EXPECT_THAT(schema_errors(exported(GetParam())), IsEmpty());
 }
 
-INSTANTIATE_TEST_SUITE_P(Json, CanonicalExport, testing::ValuesIn(canonical_scenes()),
+INSTANTIATE_TEST_SUITE_P(Json, CanonicalExport, testing::ValuesIn(load_canonical_scenes().scenes),
                          [](const auto& info) {
-                           std::string name = info.param.stem();
+                           std::string name = info.param.name;
                            std::erase(name, '-');
                            return name;
                          });

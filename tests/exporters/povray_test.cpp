@@ -90,8 +90,7 @@ bool balanced(const std::string& code) {
 }
 
 TEST(Povray, ExportsEveryCanonicalScene) {
-  for (const auto& file : canonical_scenes()) {
-    const Scene scene = load_scene(file);
+  for (const Scene& scene : load_canonical_scenes().scenes) {
     for (const Writer write : kWriters) {
       const std::string code = code_of(as_povray(scene, write));
       EXPECT_TRUE(balanced(code)) << scene.name;

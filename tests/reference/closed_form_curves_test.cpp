@@ -12,6 +12,7 @@
 
 #include "reference/closed_form_shadow.h"
 #include "scene/refusal.h"
+#include "tests/reference/sample_scene.h"
 
 namespace litmus {
 namespace {
@@ -112,12 +113,13 @@ TEST(LampShadow, FollowsTheFloorsHeight) {
 
 TEST(ConeOnFloor, IsWhereTheAngleOffTheAxisIsTheCutoff) {
   for (const double cutoff : {0.2, 0.4, 1.2}) {
-    const SpotLight spot{{{-0.9, -0.5, 2.5}, {}}, {0.5, 0.3, -1}, cutoff, 1};
-    const Conic conic = cone_on_floor(ExactVec(spot.point.origin),
-                                      glm::normalize(ExactVec(spot.direction)), cutoff, 0);
+    const ExactLamp lamp =
+        exact_lamps(light_of(SpotLight{{{-0.9, -0.5, 2.5}, {}}, {0.5, 0.3, -1}, cutoff, 1}))
+            .front();
+    const Conic conic = cone_on_floor(lamp.place, lamp.cone->axis, cutoff, 0);
     EXPECT_EQ(conic.hyperbola, cutoff == 1.2);
     over_the_floor([&](const FloorPoint& p) {
-      const Exact alpha = angle_off_axis(spot, {p.x, p.y, 0}), d = depth(conic, p);
+      const Exact alpha = angle_off_axis(lamp, {p.x, p.y, 0}), d = depth(conic, p);
       if (std::fabs(alpha - cutoff) > 1e-9) {
         ASSERT_EQ(d > 0, alpha < cutoff) << double(p.x) << ", " << double(p.y);
       }

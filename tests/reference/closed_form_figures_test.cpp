@@ -107,12 +107,13 @@ TEST(ShadowArea, IsThatOfThePixelsInsideTheCylinders) {
   std::vector<Figure> figures;
   measure_shadow_area(scene, figures);
   ASSERT_EQ(figures.size(), 1u);
+  const ExactVec sun = exact_lamps(scene.lights[0]).front().place;
+  const Obstacles in_the_way = obstacles(scene, {glm::dvec3(sun), true});
   Picture picture(scene.width, scene.height);
   for (int y = 0; y < scene.height; ++y)
     for (int x = 0; x < scene.width; ++x) {
-      const auto seen = floor_point(scene.objects[0], sight(scene, x, y));
-      const Way way = passage_through(
-          scene, {seen->at, exact_lamps(scene.lights[0]).front().place, true}, &scene.objects[0]);
+      const auto seen = floor_point(scene.objects[0], sight(view_of(scene), x, y));
+      const Way way = passage_through(in_the_way, {seen->at, sun, true}, &scene.objects[0]);
       picture.at(x, y) = glm::dvec3(way == Way::Blocked ? 0 : 1);
     }
   const double measured = figures[0].measure(picture);
@@ -133,7 +134,7 @@ TEST(HighlightPeak, IsWhereTheHalfVectorIsTheNormal) {
   Picture picture(scene.width, scene.height);
   for (int y = 0; y < scene.height; ++y)
     for (int x = 0; x < scene.width; ++x) {
-      const auto seen = floor_point(scene.objects[0], sight(scene, x, y));
+      const auto seen = floor_point(scene.objects[0], sight(view_of(scene), x, y));
       const ExactVec l = glm::normalize(ExactVec(0.9L, 0.7L, 2.2L) - seen->at);
       picture.at(x, y) = glm::dvec3(double(glm::normalize(l + seen->eye).z));
     }

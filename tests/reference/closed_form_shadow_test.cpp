@@ -123,9 +123,57 @@ TEST(PassageThrough, AsksEveryObjectButTheSkipped) {
   Scene scene;
   scene.objects = {{"floor", Plane{}, 0}, {"ball", Sphere{{0, 0, 2}, 0.5}, 0, false}};
   const Passage up{{0, 0, 0}, {0, 0, 4}};
-  EXPECT_EQ(passage_through(scene, up, nullptr), Way::Blocked);
-  EXPECT_EQ(passage_through(scene, up, &scene.objects[1]), Way::Open);
-  EXPECT_EQ(passage_through(scene, up, nullptr, true), Way::Open);  // it is not seen
+  const Obstacles all = obstacles(scene, {{0, 0, 4}}), seen = obstacles(scene, {{0, 0, 4}}, true);
+  EXPECT_EQ(passage_through(all, up, nullptr), Way::Blocked);
+  EXPECT_EQ(passage_through(all, up, &scene.objects[1]), Way::Open);
+  EXPECT_EQ(passage_through(seen, up, nullptr), Way::Open);  // it is not seen
+}
+
+/// Shapes whose boundaries the ways of the next test cross, a mesh among them.
+std::vector<Object> shapes() {
+  Mesh fan;
+  for (int i = 0; i <= 12; ++i)
+    fan.vertices.push_back({0.8 * std::cos(i * 0.5), 0.9 * std::sin(i * 0.5), 0.1 * (i % 3)});
+  for (std::int32_t i = 0; i + 2 < 13; ++i) fan.triangles.push_back({i, i + 1, (i * 5) % 13});
+  return {{"ball", Sphere{{0.1, -0.2, 0.1}, 0.6}, 0},
+          {"block", Box{{-0.5, -0.4, -0.3}, {0.4, 0.6, 0.2}}, 0},
+          {"blind", Triangle{{-0.7, -0.6, 0}, {0.8, -0.5, 0.1}, {0.1, 0.9, -0.2}}, 0},
+          {"floor", Plane{{0, 0, 0.05}, {0.2, -0.1, 1}}, 0},
+          {"fan", fan, 0}};
+}
+
+/// What double precision and the map of facets are asked first must not change an answer: that of
+/// extended precision over all facets, for places at every distance from the shapes.
+TEST(PassageThrough, AnswersAsExtendedPrecisionDoes) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> any(-1.5, 1.5);
+  for (const Object& object : shapes())
+    for (const double far : {0.0, 2.0, 1e3, 1e6}) {
+      int blocked = 0, open = 0;
+      for (int end = 0; end < 20; ++end)
+        for (const bool sun : {false, true}) {
+          const ExactVec away = glm::normalize(ExactVec(any(random), any(random), any(random)));
+          const ExactVec to(glm::dvec3(sun ? away : away * Exact(far)));
+          Scene scene;
+          scene.objects = {object};
+          const Obstacles one = obstacles(scene, {glm::dvec3(to), sun});
+          for (int i = 0; i < 200; ++i) {
+            const ExactVec from(any(random), any(random), any(random));
+            const Way way = passage_by(object, {from, to, sun});
+            ASSERT_EQ(passage_through(one, {from, to, sun}, nullptr), way) << object.name << far;
+            blocked += way == Way::Blocked, open += way == Way::Open;
+          }
+        }
+      EXPECT_GT(blocked, 20) << object.name;
+      EXPECT_GT(open, 20) << object.name;
+    }
+}
+
+TEST(PassageThrough, IsSureOfASphereFarFromItsLamp) {
+  // As seen from 1e6 units the sphere is two millionths wide; its edge is as sharp as ever.
+  const Object ball{"ball", Sphere{{0, 0, 1}, 0.5}, 0};
+  EXPECT_EQ(passage_by(ball, {{0.499999, 0, 0}, {0, 0, 1e6}}), Way::Blocked);
+  EXPECT_EQ(passage_by(ball, {{0.500001, 0, 0}, {0, 0, 1e6}}), Way::Open);
 }
 
 }  // namespace

@@ -7,8 +7,11 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <map>
 #include <numbers>
 
+#include "reference/closed_form_view.h"
+#include "scene/observer.h"
 #include "scene/refusal.h"
 #include "tests/reference/sample_scene.h"
 
@@ -140,6 +143,71 @@ TEST(SpheresOracle, KnowsTheBackgroundWhereOnlySpheresAreInView) {
   EXPECT_EQ(closed_form(scene).layers[0].known[0], 0);
 }
 
+TEST(SpheresOracle, FillsItsSolidAngleInPerspective) {
+  // From the distance D a sphere covers 2 pi (1 - sqrt(1 - r^2 / D^2)); a pixel at the angle theta
+  // from the middle covers cos^3(theta) of its area at the distance 1.
+  Scene scene = small_floor();
+  scene.width = scene.height = 301;
+  scene.camera.projection = Projection::Perspective, scene.camera.fov = 0.9;
+  scene.objects = {{"ball", Sphere{{0.7, -0.4, 6}, 1.1}, 0}};
+  scene.ambient = Color(1), scene.expect = {Oracle::Spheres};
+  const ClosedForm known = closed_form(scene);
+  const View view = view_of(scene);
+  const double side = 2 * std::tan(0.45) / 301;
+  double covered = 0;
+  for (int y = 0; y < 301; ++y)
+    for (int x = 0; x < 301; ++x)
+      covered += known.layers[0].picture.at(x, y).x * side * side *
+                 std::pow(double(glm::dot(sight(view, x, y).along, view.frame.forward)), 3);
+  const double D2 = 0.7 * 0.7 + 0.4 * 0.4 + 16;
+  EXPECT_NEAR(covered, 2 * std::numbers::pi * (1 - std::sqrt(1 - 1.1 * 1.1 / D2)), 1e-4);
+}
+
+TEST(BoxesOracle, ShowsTheFacesThatLookAtTheEye) {
+  // A cube over a corner shows three faces; the light along (3, 2, 1) gives each its own cosine.
+  Scene scene = small_floor();
+  scene.camera.eye = {10, 10, 10}, scene.camera.up = {0, 0, 1};
+  scene.objects = {{"cube", Box{{-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5}}, 0}};
+  scene.expect = {Oracle::Boxes};
+  scene.lights = {light_of(DirectionalLight{{-3, -2, -1}})};
+  const ClosedForm known = closed_form(scene);
+  std::map<int, int> pixels;
+  for (const glm::dvec3& value : known.layers[1].picture.pixels)
+    ++pixels[int(std::lround(value.x * std::sqrt(14.0)))];
+  const double face = std::sqrt(1.0 / 3) / (0.1 * 0.1);  // each is seen at the same angle
+  for (const int cosine : {1, 2, 3}) EXPECT_NEAR(pixels[cosine], face, 6) << cosine;
+  EXPECT_EQ(pixels.size(), 4u);  // and the background
+}
+
+TEST(SpectralForm, IsTheRgbOneWhereAllBandsAreEqual) {
+  Scene scene = small_floor();
+  scene.objects.push_back({"ball", Sphere{{0.3, 0.2, 0.9}, 0.6}, 0});
+  scene.expect = {Oracle::Floor, Oracle::Spheres};
+  scene.materials[0].specular = Color(0.5), scene.materials[0].shininess = 9;
+  scene.ambient = Color(0.25);
+  scene.lights = {light_of(PointLight{{1.2, -0.7, 3}, {2, 1, 1}})};
+  const ClosedForm rgb = closed_form(scene);
+  constexpr std::size_t kBands = 5;  // the last picture has two
+  const auto all = [](double value) { return std::vector<double>(kBands, value); };
+  scene.spectra = Spectra{int(kBands),
+                          all(0.25),
+                          {{all(1), all(1), all(0.5)}},
+                          {{all(0), all(1), all(1)}},
+                          std::vector(kBands, glm::dvec3(0.1))};
+  const ClosedForm bands = closed_form(scene);
+  ASSERT_EQ(bands.bands.size(), 2u);
+  for (std::size_t k = 0; k < 2; ++k) {
+    EXPECT_EQ(bands.layers[k].known, rgb.layers[k].known);
+    for (std::size_t i = 0; i < rgb.layers[k].picture.pixels.size(); ++i) {
+      const glm::dvec3& value = rgb.layers[k].picture.pixels[i];
+      ASSERT_EQ(bands.bands[0][k].picture.pixels[i], value);
+      ASSERT_EQ(bands.bands[1][k].picture.pixels[i], glm::dvec3(value.x, value.y, 0));
+      const glm::dvec3 seen = linear_srgb(glm::dvec3(0.5 * value.x));
+      ASSERT_NEAR(bands.layers[k].picture.pixels[i].y, seen.y, 1e-15);
+    }
+  }
+}
+
 TEST(ShellOracle, IsOneConstant) {
   Scene scene = small_floor();
   scene.objects = {{"shell", Sphere{{0, 0, 10}, 1.5}, 0}};
@@ -192,9 +260,14 @@ TEST(ClosedForm, RefusesByNameWhatAnOracleCannotSay) {
   EXPECT_THAT(refusal_of(scene), HasSubstr("cone-curve"));
   scene.expect = {Oracle::Shell};
   EXPECT_THAT(refusal_of(scene), HasSubstr("shell"));
-  scene.camera.projection = Projection::Perspective;
   scene.expect = {Oracle::Spheres};
-  EXPECT_THAT(refusal_of(scene), HasSubstr("orthographic"));
+  EXPECT_THAT(refusal_of(scene), HasSubstr("no floor, sphere or box"));
+  scene.camera.projection = Projection::Perspective;
+  scene.objects.push_back({"ball", Sphere{scene.camera.eye, 0.5}, 0});
+  EXPECT_THAT(refusal_of(scene), HasSubstr("inside of \"ball\""));
+  scene.spectra.emplace();
+  scene.expect = {Oracle::Ambient};
+  EXPECT_THAT(refusal_of(scene), HasSubstr("not of bands"));
 }
 
 TEST(ClosedForm, SaysNothingOfASceneThatExpectsNothing) {

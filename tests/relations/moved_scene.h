@@ -14,9 +14,8 @@ namespace litmus {
 /// Every canonical scene, at most `side` pixels a side (both even) and one sample per pixel. Of one
 /// with spectra its middle bands, as a scene with plain colours.
 inline std::vector<Scene> small_canonical_scenes(int side) {
-  std::vector<Scene> scenes;
-  for (const auto& file : canonical_scenes()) {
-    Scene scene = load_scene(file);
+  std::vector<Scene> scenes = load_canonical_scenes().scenes;
+  for (Scene& scene : scenes) {
     if (scene.spectra) {
       std::vector<Scene> bands = band_scenes(scene);
       scene = std::move(bands[bands.size() / 2]);
@@ -25,7 +24,6 @@ inline std::vector<Scene> small_canonical_scenes(int side) {
     scene.width = std::max(2, 2 * int(scene.width * shrink / 2));
     scene.height = std::max(2, 2 * int(scene.height * shrink / 2));
     scene.samples = 1;
-    scenes.push_back(std::move(scene));
   }
   return scenes;
 }

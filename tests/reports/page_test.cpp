@@ -282,8 +282,7 @@ TEST_F(PageInABrowser, IsWatchedForErrorsRequestsAndForeignElements) {
 }
 
 TEST_F(PageInABrowser, OfAllScenesIsSmallAndAnswersWithinASecond) {
-  std::vector<Scene> scenes;
-  for (const fs::path& file : canonical_scenes()) scenes.push_back(load_scene(file));
+  const std::vector<Scene> scenes = load_canonical_scenes().scenes;
   StudyOptions options;
   options.obtain.sources = Sources::Stored;
   std::string page = html(run_study(scenes, options));

@@ -3,11 +3,13 @@
 #include <gtest/gtest.h>
 #include <stdlib.h>
 
+#include <cstdlib>
 #include <glm/geometric.hpp>
 #include <map>
 #include <set>
 
 #include "scene/load.h"
+#include "scene/observer.h"
 #include "tests/scene/scratch_scene.h"
 
 namespace litmus {
@@ -24,11 +26,16 @@ std::string name_complaint(const std::string& name) {
   return {};
 }
 
+const std::vector<Scene>& canonical() {
+  static const std::vector<Scene> scenes = load_canonical_scenes().scenes;
+  return scenes;
+}
+
 TEST(CanonicalScenes, LoadWithoutWarningsAndSayWhatTheyShow) {
-  for (const auto& file : canonical_scenes()) {
-    SCOPED_TRACE(file.string());
-    const Scene scene = load_scene(file);
-    EXPECT_TRUE(scene.warnings.empty());
+  for (const Scene& scene : canonical()) {
+    SCOPED_TRACE(scene.name);
+    const bool stands_in = scene.spectra && colord_file("illuminant/CIE-D65.sp").empty();
+    EXPECT_EQ(scene.warnings.empty(), !stands_in);
     EXPECT_GE(scene.about.size(), 30u);
     EXPECT_TRUE(scene.about.ends_with('.'));
     EXPECT_FALSE(scene.tags.empty());
@@ -40,10 +47,9 @@ TEST(CanonicalScenes, LoadWithoutWarningsAndSayWhatTheyShow) {
 /// All but the mean of several samples and the mesh of 81,920 triangles are known beforehand, at
 /// least in part.
 TEST(CanonicalScenes, NameTheClosedFormsThatHoldInThem) {
-  for (const auto& file : canonical_scenes()) {
-    const Scene scene = load_scene(file);
-    // Closed forms are of RGB colours at pixel centres.
-    EXPECT_EQ(scene.expect.empty(), scene.samples > 1 || scene.spectra.has_value()) << file;
+  for (const Scene& scene : canonical()) {
+    // Closed forms are of pixel centres.
+    EXPECT_EQ(scene.expect.empty(), scene.samples > 1) << scene.name;
   }
 }
 
@@ -52,8 +58,9 @@ TEST(CanonicalScenes, HaveUniqueIdsAndPictures) {
   for (const auto& file : canonical_scenes()) {
     const std::string name = file.stem().string();
     EXPECT_TRUE(ids.insert(name.substr(0, name.find('-'))).second) << name;
-    EXPECT_TRUE(fingerprints.insert(fingerprint(load_scene(file))).second) << name;
   }
+  for (const Scene& scene : canonical())
+    EXPECT_TRUE(fingerprints.insert(fingerprint(scene)).second) << scene.name;
   for (const char* id : {"a1",  "a2",  "a3", "a4", "d1", "d2", "d3", "d4", "d5", "d6", "d7",  "d8",
                          "d9",  "p1",  "p2", "p3", "p4", "p5", "p6", "p7", "p8", "p9", "p10", "p11",
                          "p12", "p13", "s1", "s2", "s3", "s4", "s5", "s6", "s7", "s8", "s9",  "s10",
@@ -66,9 +73,8 @@ TEST(CanonicalScenes, HaveUniqueIdsAndPictures) {
 /// What the references can be held to in seconds: Blender renders each sample of an area light
 /// apart.
 TEST(CanonicalScenes, AreCheapForTheReferences) {
-  for (const auto& file : canonical_scenes()) {
-    SCOPED_TRACE(file.string());
-    const Scene scene = load_scene(file);
+  for (const Scene& scene : canonical()) {
+    SCOPED_TRACE(scene.name);
     EXPECT_LE(scene.width * scene.height, 240 * 180);
     for (const Light& light : scene.lights)
       if (const auto* area = std::get_if<AreaLight>(&light.shape)) {
@@ -80,16 +86,49 @@ TEST(CanonicalScenes, AreCheapForTheReferences) {
 /// An infinite plane is a finite one in Blender, so each ray must reach it soon: the angle between
 /// the floor and the highest ray of a perspective camera is at least 10 degrees.
 TEST(CanonicalScenes, ShowNoHorizon) {
-  for (const auto& file : canonical_scenes()) {
-    const Scene scene = load_scene(file);
+  for (const Scene& scene : canonical()) {
     if (scene.camera.projection != Projection::Perspective) continue;
     for (const Object& object : scene.objects) {
       const auto* plane = std::get_if<Plane>(&object.shape);
       if (!plane) continue;
       const Vector view = glm::normalize(scene.camera.target - scene.camera.eye);
       const double down = -std::asin(glm::dot(view, glm::normalize(plane->normal)));
-      EXPECT_GE(down - scene.camera.fov / 2, 10 * M_PI / 180) << file;
+      EXPECT_GE(down - scene.camera.fov / 2, 10 * M_PI / 180) << scene.name;
     }
+  }
+}
+
+/// What can be loaded on a machine without colord-data.
+CanonicalScenes without_colord() {
+  const char* set = std::getenv("XDG_DATA_DIRS");
+  const std::string before = set ? set : "";
+  setenv("XDG_DATA_DIRS", "/nonexistent", 1);
+  CanonicalScenes all = load_canonical_scenes();
+  set ? setenv("XDG_DATA_DIRS", before.c_str(), 1) : unsetenv("XDG_DATA_DIRS");
+  return all;
+}
+
+TEST(CanonicalScenes, WhoseDataIsNotInstalledAreLeftOutWithAReason) {
+  const CanonicalScenes all = without_colord();
+  ASSERT_EQ(all.left_out.size(), 1u);
+  EXPECT_THAT(all.left_out[0], HasSubstr("w2-chart.toml:"));
+  EXPECT_THAT(all.left_out[0], HasSubstr("apt-get install colord-data"));
+  EXPECT_EQ(all.scenes.size() + 1, canonical_scenes().size());
+  for (const Scene& scene : all.scenes) EXPECT_NE(scene.name, "w2-chart");
+}
+
+TEST(CanonicalScenes, AreAllThereWithTheDataInstalled) {
+  if (colord_file("ref/CIE-TCS.sp").empty()) GTEST_SKIP() << "colord-data is not installed";
+  const CanonicalScenes all = load_canonical_scenes();
+  EXPECT_TRUE(all.left_out.empty());
+  EXPECT_EQ(all.scenes.size(), canonical_scenes().size());
+}
+
+/// A colour that stands in for the CIE's makes another scene, and says so itself.
+TEST(CanonicalScenes, SayWhichColoursStandIn) {
+  for (const Scene& scene : without_colord().scenes) {
+    if (!scene.spectra) continue;
+    EXPECT_EQ(!scene.spectra->note.empty(), scene.name == "w4-metamers") << scene.name;
   }
 }
 

@@ -45,8 +45,7 @@ TEST(Tune, KeepsItsPromiseUnderAnAreaLight) {
 
 TEST(Tune, KeepsItsPromiseOnEveryCanonicalScene) {
   int area_scenes = 0;
-  for (const auto& file : canonical_scenes()) {
-    Scene scene = load_scene(file);
+  for (Scene& scene : load_canonical_scenes().scenes) {
     scene.height = std::max(1, 20 * scene.height / scene.width), scene.width = 20;
     const bool area = std::any_of(scene.lights.begin(), scene.lights.end(), [](const Light& light) {
       return std::holds_alternative<AreaLight>(light.shape);

@@ -94,11 +94,47 @@ TEST(Bands, MakeTheLayersAndTheWholeInSrgb) {
   for (std::size_t k = 0; k < colors.size(); ++k)
     EXPECT_LT(largest_difference(colors[k].picture, all.rendering.layers[k].picture), 1e-14);
   EXPECT_LT(largest_difference(sum(colors), all.rendering.whole), 1e-14);
-  const BandRendering whole = render_bands(scene, {}, KeepBands::Whole);
-  ASSERT_EQ(whole.pictures.front().size(), 1u);
-  EXPECT_LT(largest_difference(whole.pictures[1][0].picture, sum(all.pictures[1])), 1e-14);
-  EXPECT_EQ(largest_difference(whole.rendering.whole, all.rendering.whole), 0);
   EXPECT_EQ(largest_difference(render(scene).whole, all.rendering.whole), 0);
+}
+
+/// The rows of bands of a picture, one behind the other.
+std::vector<float> rows_of(const Scene& scene, BandRendering* rendering = nullptr) {
+  std::vector<float> values;
+  int next = 0;
+  BandRendering result = render_band_rows(scene, {}, [&](int first, std::span<const float> rows) {
+    EXPECT_EQ(first, next);
+    next += int(rows.size()) / (scene.width * (3 + scene.spectra->bands));
+    values.insert(values.end(), rows.begin(), rows.end());
+  });
+  EXPECT_EQ(next, scene.height);
+  if (rendering) *rendering = std::move(result);
+  return values;
+}
+
+TEST(BandRows, AreThePictureAndItsBandsInSinglePrecision) {
+  for (const int samples : {1, 2}) {
+    Scene scene = with_bands(canonical("x5", 50));  // more rows than are handed over at a time
+    scene.samples = samples;
+    const BandRendering all = render_bands(scene, {}, KeepBands::Layers);
+    BandRendering whole;
+    const std::vector<float> values = rows_of(scene, &whole);
+    EXPECT_EQ(largest_difference(whole.rendering.whole, all.rendering.whole), 0);
+    EXPECT_EQ(whole.products, all.products);
+    const std::size_t channels = std::size_t(3 + scene.spectra->bands);
+    ASSERT_EQ(values.size(), all.rendering.whole.pixels.size() * channels);
+    std::vector<Picture> bands;
+    for (const Layers& three : all.pictures) bands.push_back(sum(three));
+    for (std::size_t i = 0; i < all.rendering.whole.pixels.size(); ++i)
+      for (std::size_t c = 0; c < channels; ++c) {
+        const glm::dvec3& three =
+            c < 3 ? all.rendering.whole.pixels[i] : bands[c / 3 - 1].pixels[i];
+        ASSERT_NEAR(values[i * channels + c], three[int(c % 3)], 1e-6) << i << ", " << c;
+      }
+  }
+}
+
+TEST(BandRows, AreNotOfASceneWithoutSpectra) {
+  EXPECT_THROW(render_band_rows(canonical("x5", 24), {}, [](int, auto) {}), std::invalid_argument);
 }
 
 TEST(Bands, HaveTheSignaturesAndFlagsOfTheScene) {
@@ -158,8 +194,7 @@ TEST(BandProbe, ShowsThePixelsOfThePicture) {
 // ---- Work ------------------------------------------------------------------------------------
 
 TEST(SpectralWork, IsNoneForASceneWithoutSpectra) {
-  for (const auto& file : canonical_scenes()) {
-    Scene scene = load_scene(file);
+  for (Scene& scene : load_canonical_scenes().scenes) {
     const auto is_large = [](const Object& object) {
       const Mesh* mesh = std::get_if<Mesh>(&object.shape);
       return mesh &&
@@ -185,11 +220,11 @@ TEST(SpectralWork, IsAProductPerTermAndBandThatIsKept) {
   // 16 pixels: the picture's three products for the ambient layer and the light's, and per band the
   // ambient term and the diffuse one.
   EXPECT_EQ(products(KeepBands::None), 16 * 2 * 3);
-  EXPECT_EQ(products(KeepBands::Whole), 16 * (2 * 3 + 2 * 42));
+  EXPECT_EQ(products(KeepBands::Layers), 16 * (2 * 3 + 2 * 42));
   scene.materials[0].specular = Color(1);
   EXPECT_EQ(products(KeepBands::Layers), 16 * (2 * 3 + 3 * 42));
   scene.lights[0].shape = DirectionalLight{{0, 0, 1}};  // from below
-  EXPECT_EQ(products(KeepBands::Whole), 16 * (2 * 3 + 42));
+  EXPECT_EQ(products(KeepBands::Layers), 16 * (2 * 3 + 42));
 }
 
 // ---- The canonical scenes ----------------------------------------------------------------------
@@ -207,11 +242,11 @@ const Picture& layer(const Rendering& rendering, const std::string& light) {
 
 TEST(W1Bands, AreIndependentOfEachOther) {
   Scene scene = load_scene(find_scene("w1"));
-  const BandRendering before = render_bands(scene, {}, KeepBands::Whole);
+  const BandRendering before = render_bands(scene, {}, KeepBands::Layers);
   for (double* band : {&scene.spectra->lights[0].diffuse[1], &scene.spectra->lights[0].specular[1]})
     *band *= 2;
-  const BandRendering after = render_bands(scene, {}, KeepBands::Whole);
-  const Picture &a = before.pictures[0][0].picture, &b = after.pictures[0][0].picture;
+  const BandRendering after = render_bands(scene, {}, KeepBands::Layers);
+  const Picture a = sum(before.pictures[0]), b = sum(after.pictures[0]);
   double changed = 0;
   for (std::size_t i = 0; i < a.pixels.size(); ++i) {
     EXPECT_EQ(a.pixels[i].r, b.pixels[i].r);

@@ -72,10 +72,9 @@ Error largest_error(const Scene& explained, const Rendering& rendering, int pixe
 }
 
 TEST(Explain, SumsToThePictureOnAThousandPixelsOfEveryCanonicalScene) {
-  const auto files = canonical_scenes();
-  ASSERT_GE(files.size(), 30u);
-  for (const auto& file : files) {
-    const Scene whole = load_scene(file);
+  const std::vector<Scene> all = load_canonical_scenes().scenes;
+  ASSERT_GE(all.size(), 30u);
+  for (const Scene& whole : all) {
     for (const Scene& scene : whole.spectra ? band_scenes(whole) : std::vector{whole}) {
       const Error error = largest_error(scene, render(scene), 1000);
       EXPECT_LE(error.whole, kSumTolerance) << scene.name;

@@ -16,14 +16,8 @@ namespace {
 /// All canonical scenes, with pictures whose rows end in the middle of a packet.
 const std::vector<Scene>& canonical_scenes() {
   static const std::vector<Scene> scenes = [] {
-    std::vector<Scene> all;
-    for (const auto& entry :
-         std::filesystem::directory_iterator(LITMUS_SOURCE "/scene/canonical")) {
-      if (entry.path().extension() != ".toml") continue;
-      Scene scene = load_scene(entry.path());
-      scene.width = 37, scene.height = 29;
-      all.push_back(std::move(scene));
-    }
+    std::vector<Scene> all = load_canonical_scenes().scenes;
+    for (Scene& scene : all) scene.width = 37, scene.height = 29;
     return all;
   }();
   return scenes;
