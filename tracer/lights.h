@@ -108,7 +108,6 @@ std::vector<Vec<R>> area_samples(const AreaLight& light) {
 template <Real R>
 struct Lamp {
   bool directional = false, attenuated = false, cone = false;
-  bool spot = false;        ///< the cone is the scene's, not one that changes nothing
   bool everything = false;  ///< evaluate both attenuations and the cone, whether or not they matter
   Vec<R> origin;            ///< scene units; unused by a directional lamp
   Vec<R> toward;            ///< directional: unit vector towards the light
@@ -126,6 +125,7 @@ struct Incident {
   V distance{};   ///< scene units, infinite for a directional lamp
   V intensity{};  ///< attenuation times decay, 0 to 1
   Mask<V> in_cone = true;
+  Vec<V> sharp{};  ///< of a lamp with a cone: the direction to the last half unit
 };
 
 /// The cosine of the angle off the axis below which a point is outside of the cone whatever the
@@ -143,12 +143,14 @@ template <Value V>
 Incident<V> aim(const Lamp<Scalar<V>>& lamp, const Vec<V>& point, Doubt<V>* doubt = nullptr) {
   using R = Scalar<V>;
   if (lamp.directional) {
-    return {Vec<V>(lamp.toward), V(std::numeric_limits<R>::infinity()), V(R(1)), true};
+    return {Vec<V>(lamp.toward), V(std::numeric_limits<R>::infinity()), V(R(1)), true,
+            Vec<V>(lamp.toward)};
   }
   const Vec<V> apart = Vec<V>(lamp.origin) - point;
-  const Direction<V> to_lamp = lamp.spot ? direction_of<Divide::Each>(apart, doubt)
-                                         : direction_of<Divide::Once>(apart, doubt);
-  return {to_lamp.unit, to_lamp.length, V(R(1)), true};
+  const Direction<V> to_lamp = direction_of<Divide::Once>(apart, doubt);
+  Incident<V> light{to_lamp.unit, to_lamp.length, V(R(1)), true};
+  if (lamp.cone) light.sharp = direction_of<Divide::Each>(apart, doubt).unit;
+  return light;
 }
 
 /// Weakens the light with distance, as far as this lamp does.
@@ -167,7 +169,7 @@ void attenuate(const Lamp<Scalar<V>>& lamp, Incident<V>& light) {
 /// Narrows the light to the cone: nothing past the cutoff, a smooth edge before it.
 template <Value V>
 void narrow(const Lamp<Scalar<V>>& lamp, Incident<V>& light) {
-  const V alpha = angle_between(Vec<V>(lamp.axis), -light.direction);
+  const V alpha = angle_between(Vec<V>(lamp.axis), -light.sharp);
   light.in_cone = alpha <= lamp.cutoff;
   light.intensity = light.intensity * spot_decay(alpha, V(lamp.cutoff), V(lamp.exponent));
 }

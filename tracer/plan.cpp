@@ -32,7 +32,7 @@ std::vector<Lamp<R>> lamps_of(const Light& light, const Effects& effects) {
                         },
                         [](const SpotLight& spot) {
                           Lamp<R> lamp = point_lamp(spot.point, Vec<R>(spot.point.origin));
-                          lamp.cone = lamp.spot = true;
+                          lamp.cone = true;
                           lamp.axis = normalize(Vec<R>(spot.direction));
                           lamp.cutoff = R(spot.cutoff), lamp.exponent = R(spot.exponent);
                           lamp.outside = surely_outside(lamp.cutoff);

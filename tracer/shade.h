@@ -1,6 +1,8 @@
 // shade.h: how a surface answers light (slide 5), as the slide's equation and as its sample code.
 #pragma once
 
+#include <bit>
+
 #include "scene/scene.h"
 #include "tracer/vector_math.h"
 
@@ -78,15 +80,22 @@ V whole_power(const Rounded<V>& x, const Exponent<V>& n) {
     }
     return result.value + result.rest;
   } else {
+    // The binary digits of n, from the highest down: exact in every rounding mode.
+    constexpr int kDigits = std::bit_width(unsigned(kMostWhole));
+    Mask<V> digits[kDigits];
+    V left = select(n.whole, n.value, V(R(0)));
+    int highest = 0;
+    for (int k = kDigits - 1; k >= 0; --k) {
+      digits[k] = left >= R(1 << k);
+      left = left - select(digits[k], V(R(1 << k)), V(R(0)));
+      if (highest == 0 && any_of(digits[k])) highest = k;
+    }
     Rounded<V> result{V(R(1)), V(R(0))};
-    constexpr R kShift = R(3) * two_to<R>(std::numeric_limits<R>::digits - 2);
-    for (V left = select(n.whole, n.value, V(R(0))); any_of(left > R(0));) {
-      const V half = ((left * R(0.5) - R(0.25)) + kShift) - kShift;  // rounded down
-      const Mask<V> odd = left != half + half;
+    for (int k = 0; k <= highest; ++k) {
       const Rounded<V> more = product(result, square);
-      result = {select(odd, more.value, result.value), select(odd, more.rest, result.rest)};
+      result = {select(digits[k], more.value, result.value),
+                select(digits[k], more.rest, result.rest)};
       square = squared(square);
-      left = half;
     }
     return result.value + result.rest;
   }
