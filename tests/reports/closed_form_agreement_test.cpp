@@ -40,9 +40,11 @@ const ClosedForm& closed_form_of(std::size_t i) {
 /// condition number; and what it cannot hold at all.
 struct Debt {
   double relative, unit, underflow;
+  double most_excused;  ///< the part of a scene's pixels that may need more than the relative one
 };
-constexpr Debt kDouble{1e-12, 0x1p-53, 0};
-constexpr Debt kFloat{1e-5, 0x1p-24, 0x1p-126};
+// Those are at the rims of cones and, in float, in the tails of c2's highlight.
+constexpr Debt kDouble{1e-12, 0x1p-53, 0, 0.0005};
+constexpr Debt kFloat{1e-5, 0x1p-24, 0x1p-126, 0.1};
 
 /// The pixels of a scene that owe more, in the colours of `painted` (the scene, or three bands of
 /// it). Condition numbers are computed where the relative part alone does not do.
@@ -50,6 +52,7 @@ class Debtors {
  public:
   Debtors(const Scene& scene, const Debt& debt) : scene_(scene), debt_(debt) {}
 
+  /// How many owe more than both; of the others, those over the relative part are excused().
   int count(const Scene& painted, std::size_t layer, const Picture& ours,
             const ExpectedLayer& exact) {
     int debtors = 0;
@@ -57,14 +60,18 @@ class Debtors {
       for (int x = 0; x < ours.width; ++x) {
         const std::size_t i = std::size_t(y) * std::size_t(ours.width) + std::size_t(x);
         if (!exact.known[i]) continue;
+        ++known_;
         const glm::dvec3 &truth = exact.picture.pixels[i], apart = ours.pixels[i] - truth;
         glm::dvec3 allowed = debt_.relative * glm::abs(truth) + debt_.underflow;
         if (within(apart, allowed)) continue;
         allowed += debt_.unit * condition(painted, layer, x, y);
-        debtors += !within(apart, allowed);
+        const bool owes = !within(apart, allowed);
+        debtors += owes, excused_ += !owes;
       }
     return debtors;
   }
+  /// The part of the pixels so far that are within their condition number only.
+  double excused() const { return double(excused_) / double(std::max<std::int64_t>(known_, 1)); }
 
  private:
   static bool within(const glm::dvec3& apart, const glm::dvec3& allowed) {
@@ -89,6 +96,7 @@ class Debtors {
   const Scene& scene_;
   Debt debt_;
   std::optional<PixelCondition> conditions_;
+  std::int64_t known_ = 0, excused_ = 0;
 };
 
 /// The scene in the colours of each of its pictures, with ours and the known ones.
@@ -126,6 +134,7 @@ TEST(ClosedFormAgreement, OfEveryKnownPixelInDoubleIsRelativeTo1eMinus12) {
             << one.scene.name << ", " << one.ours[k].light;
         known += std::count(exact.known.begin(), exact.known.end(), 1);
       }
+    EXPECT_LE(debtors.excused(), kDouble.most_excused) << expecting()[i].name;
   }
   EXPECT_GT(known, 500'000);
 }
@@ -143,21 +152,22 @@ TEST(ClosedFormAgreement, OfTheInteriorInFloatIsRelativeTo1eMinus5) {
         EXPECT_EQ(debtors.count(one.scene, k, one.ours[k].picture, interior), 0)
             << one.scene.name << ", " << one.ours[k].light;
       }
+    EXPECT_LE(debtors.excused(), kFloat.most_excused) << expecting()[i].name;
   }
 }
 
-/// The closed form, but brighter by a part of its value, and that at some pixels only.
+/// The closed form, but brighter by a part of its value at every seventh pixel.
 Picture brightened(const ExpectedLayer& exact, double part) {
   Picture picture = exact.picture;
-  for (std::size_t i = 0; i < picture.pixels.size(); i += 61) picture.pixels[i] *= 1 + part;
+  for (std::size_t i = 0; i < picture.pixels.size(); i += 7) picture.pixels[i] *= 1 + part;
   return picture;
 }
 
-/// The control: light that is brighter by twice the relative part is noticed, but in the few scenes
-/// where every pixel is ill-conditioned.
+/// The control: light that is brighter by twice the relative part is noticed in every scene, as a
+/// debt or as too many excuses.
 TEST(ClosedFormAgreement, NoticesLightThatIsBrighterByTwiceTheRelativePart) {
   for (const Debt& debt : {kDouble, kFloat}) {
-    int noticed = 0, all = 0;
+    int all = 0;
     for (std::size_t i = 0; i < expecting().size(); ++i) {
       const Scene& scene = expecting()[i];
       if (closed_form_of(i).layers.empty() || scene.spectra) continue;
@@ -166,9 +176,10 @@ TEST(ClosedFormAgreement, NoticesLightThatIsBrighterByTwiceTheRelativePart) {
       const auto& pixels = exact.picture.pixels;
       if (std::ranges::none_of(pixels, [](const glm::dvec3& p) { return p.x > 1e-3; })) continue;
       const Picture picture = brightened(exact, 2 * debt.relative);
-      noticed += debtors.count(scene, scene.lights.size(), picture, exact) > 0, ++all;
+      const int owing = debtors.count(scene, scene.lights.size(), picture, exact);
+      EXPECT_TRUE(owing > 0 || debtors.excused() > debt.most_excused) << scene.name << debt.unit;
+      ++all;
     }
-    EXPECT_GE(noticed, all - 5) << debt.unit;
     EXPECT_GE(all, 40) << debt.unit;
   }
 }
