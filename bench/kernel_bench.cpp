@@ -126,7 +126,7 @@ int main(int argc, char** argv) {
     add<double>(name + "/primary", mesh, effects_of(mesh), fastest());
     add_embree(name + "/embree-primary", mesh);
   }
-  for (const std::string name : {"w1", "w3", "w4"}) add_bands(name, load_scene(find_scene(name)));
+  for (const std::string name : {"w1", "w2", "w3", "w4"}) add_bands(name, load_scene(find_scene(name)));
   for (const std::string name : {"d2", "x2"})
     add_bands(name, in_bands(load_scene(find_scene(name))));
   benchmark::Initialize(&argc, argv);
