@@ -16,6 +16,7 @@
 #include "reports/suspects.h"
 #include "scene/expect.h"
 #include "scene/load.h"
+#include "scene/observer.h"
 #include "scene/refusal.h"
 #include "tracer/render.h"
 
@@ -69,15 +70,24 @@ std::set<Name> failing(const Study& study) {
   return names;
 }
 
+const bool kTables = !colord_file("ref/CIE-TCS.sp").empty();
+
+/// Without the CIE's tables a stored image made with them is of another light, and the row says so.
+bool needs_tables(const Comparison& row) {
+  return !kTables && row.verdict == "skipped" &&
+         row.reason.find(kColordPackage) != std::string::npos;
+}
+
 TEST(Agreement, HoldsForEveryLightOfEverySceneAndBothReferences) {
   const Study& study = study_of("");
   for (const Comparison& row : study.comparisons) {
+    if (needs_tables(row)) continue;
     EXPECT_EQ(row.verdict, "pass") << row.scene << ", " << row.reference << ", " << row.light
                                    << ", " << row.region << ": " << row.reason;
     EXPECT_EQ(row.source, row.reference == kClosedForm ? "computed" : "stored");
     EXPECT_EQ(row.nonfinite, 0);
   }
-  EXPECT_EQ(overall_verdict(study), "pass");
+  EXPECT_EQ(overall_verdict(study), kTables ? "pass" : "incomplete");
 }
 
 TEST(Agreement, CoversEverySceneLightTypeReferenceAndRegion) {
@@ -136,6 +146,7 @@ TEST(NegativeControl, MakesLitmusTheSuspectWhereTheOthersAgree) {
 TEST(Agreement, OfTheReferencesLayersAddsUpToTheirWhole) {
   for (const Case& entry : study_of("").cases) {
     for (std::size_t r = 0; r < entry.references.size(); ++r) {
+      if (!kTables && entry.layers.back().theirs[r].picture.pixels.empty()) continue;
       Picture total(entry.width, entry.height);
       for (std::size_t k = 0; k + 1 < entry.layers.size(); ++k) {
         const Picture& part = entry.layers[k].theirs[r].picture;
@@ -214,7 +225,11 @@ TEST_P(NegativeControl, FailsOnTheRowsThatItTouchesAndOnNoOther) {
   const Touched touched = touched_by(GetParam());
   EXPECT_EQ(overall_verdict(study), "fail");
   ASSERT_FALSE(touched.surely.empty());
+  std::set<Name> left_out;
+  for (const Comparison& row : study.comparisons)
+    if (needs_tables(row)) left_out.insert({row.scene, row.reference, row.light});
   for (const Name& name : touched.surely) {
+    if (left_out.contains(name)) continue;
     EXPECT_TRUE(failed.contains(name))
         << name[0] << ", " << name[1] << ", " << name[2] << " passes";
   }
