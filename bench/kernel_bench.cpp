@@ -3,16 +3,13 @@
 // build/litmus_bench --benchmark_filter=... ; compare the lines of one run, not those of two.
 #include <benchmark/benchmark.h>
 
-#include "bench/stage.h"
+#include "reports/stage.h"
 #include "scene/load.h"
 #include "scene/observer.h"
 #include "tracer/bands.h"
 #include "tracer/kernel.h"
 #include "tracer/pixels.h"
 #include "tracer/render.h"
-#ifdef LITMUS_EMBREE
-#include "bench/embree_rays.h"
-#endif
 
 namespace litmus {
 namespace {
@@ -63,21 +60,6 @@ void add_threads(const std::string& name, const Scene& scene, int threads) {
       ->Unit(benchmark::kMillisecond);
 }
 
-/// The same rays through Embree, where it is installed.
-void add_embree([[maybe_unused]] const std::string& name, [[maybe_unused]] const Scene& scene) {
-#ifdef LITMUS_EMBREE
-  benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) {
-    const EmbreeMesh mesh(std::get<Mesh>(scene.objects[0].shape));
-    Scene empty = scene;
-    empty.objects.clear();
-    const View<double> view = lower<double>(empty).view;
-    for (auto _ : state) {
-      benchmark::DoNotOptimize(mesh.primary_hits(view));
-    }
-  })->Unit(benchmark::kMillisecond);
-#endif
-}
-
 /// A scene in 40 bands, each of them its red.
 Scene in_bands(Scene scene) {
   const auto all = [](const Color& color) { return std::vector<double>(kDefaultBands, color.r); };
@@ -124,9 +106,9 @@ int main(int argc, char** argv) {
     add<double>(name + "/shaded", mesh, effects_of(mesh), fastest());
     mesh.lights.clear();
     add<double>(name + "/primary", mesh, effects_of(mesh), fastest());
-    add_embree(name + "/embree-primary", mesh);
   }
-  for (const std::string name : {"w1", "w2", "w3", "w4"}) add_bands(name, load_scene(find_scene(name)));
+  for (const std::string name : {"w1", "w2", "w3", "w4"})
+    add_bands(name, load_scene(find_scene(name)));
   for (const std::string name : {"d2", "x2"})
     add_bands(name, in_bands(load_scene(find_scene(name))));
   benchmark::Initialize(&argc, argv);

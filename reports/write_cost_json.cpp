@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "reports/plain_text.h"
+#include "reports/provenance_json.h"
 #include "reports/write_cost.h"
 
 namespace litmus {
@@ -61,23 +62,6 @@ Json topic_json(const CostTopic& topic) {
           {"front", front}};
 }
 
-Json provenance_of_study(const Provenance& p) {
-  Json versions = Json::array();
-  for (const auto& [name, version] : p.versions)
-    versions.push_back({{"name", clean_text(name)}, {"version", clean_text(version)}});
-  return {{"litmus_version", p.litmus_version},
-          {"commit", p.commit},
-          {"compiler", p.compiler},
-          {"flags", p.flags},
-          {"cpu", clean_text(p.cpu)},
-          {"system", clean_text(p.system)},
-          {"command", clean_text(p.command)},
-          {"started", p.started},
-          {"threads", p.threads},
-          {"seconds", p.seconds},
-          {"versions", versions}};
-}
-
 }  // namespace
 
 std::string cost_json(const CostStudy& study) {
@@ -86,7 +70,7 @@ std::string cost_json(const CostStudy& study) {
   for (const std::string& line : study.missing) missing.push_back(clean_text(line));
   for (const auto& [renderer, seconds] : study.start_up) start_up[renderer] = seconds;
   const Json all{{"schema_version", 1},
-                 {"provenance", provenance_of_study(study.provenance)},
+                 {"provenance", provenance_fields(study.provenance)},
                  {"scene",
                   {{"name", clean_text(study.scene)},
                    {"about", clean_text(study.about)},

@@ -52,7 +52,9 @@ inline std::uint64_t mix(std::uint64_t signature, std::uint64_t value) {
 template <Real R, Value V>
 Finish<V> finish_of(const Plan<R>& plan, const Hit<V>& hit) {
   if constexpr (kLanes<V> == 1) {
-    return plan.finishes[std::size_t(std::max(hit.object, 0))];
+    const Finish<R>& one = plan.finishes[std::size_t(std::max(hit.object, 0))];
+    return {Vec<V>(one.ambient), Vec<V>(one.diffuse), Vec<V>(one.specular),
+            V(one.shininess),    one.shiny,           one.reflects};
   } else {
     Finish<V> all;
     const Mask<V> seen = hit.object >= Index<V>(0);

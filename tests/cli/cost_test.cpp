@@ -34,6 +34,13 @@ TEST_F(CostProgram, WritesAPageAndJsonAndSaysWhatIsMissing) {
   EXPECT_EQ(litmus("cost no-such-scene").code, 2);
 }
 
+TEST_F(CostProgram, HasPicturesOfItsOwnForPeers) {
+  const Ended refused = litmus("cost --peers --width 16");
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_NE(refused.text.find("--peers has pictures of its own"), std::string::npos)
+      << refused.text;
+}
+
 TEST_F(CostProgram, RendersTheCheapestPictureThatKeepsAnError) {
   const Ended kept = litmus("render r2 -o kept.exr --max-error 0.01 --width 24 --height 24");
   EXPECT_EQ(kept.code, 0) << kept.text;
