@@ -1,6 +1,7 @@
 // cost.cpp: litmus cost, what accuracy costs in time.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 
 #include "cli/commands.h"
@@ -8,6 +9,7 @@
 #include "compare/whole_file.h"
 #include "reference/drivers.h"
 #include "reports/cost_study.h"
+#include "reports/effects_study.h"
 #include "reports/peers.h"
 #include "reports/provenance.h"
 #include "reports/write_cost.h"
@@ -71,14 +73,27 @@ int run_peers(const CostArguments& options) {
   return complete(tasks) ? kPass : kIncomplete;
 }
 
+/// The effects of the scene and of every canonical one.
+void measure_canonical_effects(const Scene& scene, const CostOptions& options, CostStudy& study) {
+  say("effects of all scenes");
+  auto [scenes, left_out] = load_canonical_scenes();
+  const bool canonical =
+      std::ranges::any_of(scenes, [&](const Scene& one) { return one.name == scene.name; });
+  if (!canonical) scenes.insert(scenes.begin(), scene);
+  study.effects = measure_effects(scenes, options);
+  study.effects_left_out = left_out;
+  study.sentences.push_back(effects_sentence(study.effects));
+}
+
 int run_cost(const CostArguments& options) {
   if (options.peers) return run_peers(options);
   const Scene scene = load_scene(find_scene(options.scene));
   const WorkFolder work;
   const Stamp stamp;
   std::filesystem::create_directories(options.out);
-  CostStudy study =
-      measure_cost(scene, {options.quick, options.references, options.width, work.path, say});
+  const CostOptions cost{options.quick, options.references, options.width, work.path, say};
+  CostStudy study = measure_cost(scene, cost);
+  measure_canonical_effects(scene, cost, study);
   study.provenance = stamp.of(options, options.references);
   write_whole(options.out / "cost.json", cost_json(study));
   write_whole(options.out / "cost.html", cost_html(study));

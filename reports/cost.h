@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "reports/study.h"
+#include "tracer/effects.h"
 #include "tracer/error_metric.h"
 
 namespace litmus {
@@ -68,13 +69,26 @@ struct CostTopic {
   std::vector<CostSeries> series;
 };
 
+/// One scene rendered with what it calls for, and with every effect everywhere.
+struct EffectUse {
+  std::string scene;
+  Effects called_for;
+  Counts needed, all;      ///< rays and evaluations with the one and with the other
+  bool identical = false;  ///< both pictures, and each light's, bit by bit
+  CostTime needed_time, all_time;
+
+  double saving() const;  ///< how many times longer every effect takes
+};
+
 struct CostStudy {
   std::string scene, about;
   int width = 0, height = 0;
   bool quick = false;
   std::vector<CostTopic> topics;
-  std::vector<std::string> sentences;      ///< what follows, for people
-  std::vector<std::string> missing;        ///< what could not be measured, and why
+  std::vector<EffectUse> effects;             ///< of many scenes; may be empty
+  std::vector<std::string> effects_left_out;  ///< scenes without such a row, and why
+  std::vector<std::string> sentences;         ///< what follows, for people
+  std::vector<std::string> missing;           ///< what could not be measured, and why
   std::map<std::string, double> start_up;  ///< seconds of wall clock per renderer, not in any time
   Provenance provenance;
 };

@@ -52,7 +52,7 @@ std::string small_page(std::string_view title, std::string_view lead, std::strin
 std::vector<PageLink> pages_in(const std::filesystem::path& folder) {
   const PageLink known[] = {
       {"stress.html", "Stress", "What happens at the ends of the numbers"},
-      {"cost.html", "Cost", "What each effect costs"},
+      {"cost.html", "Cost", "What accuracy and effects cost"},
       {"migration.html", "Migration", "The old version of a renderer beside the new one"}};
   std::vector<PageLink> found;
   for (const PageLink& page : known) {

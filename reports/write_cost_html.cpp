@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "reports/html_case.h"
+#include "reports/html_effects.h"
 #include "reports/html_shell.h"
 #include "reports/plain_text.h"
 #include "reports/web_assets.h"
@@ -206,7 +207,7 @@ std::string cost_html(const CostStudy& study) {
       "keep</option><option value=\"rms\">root mean "
       "square</option></select></label></p></section>\n";
   for (const CostTopic& topic : study.topics) body += topic_section(topic);
-  body += about_section(study);
+  body += effects_section(study) + about_section(study);
   return small_page(
       fmt::format("What accuracy costs: {}", study.scene),
       "Pick the largest error that you accept; the tables name the cheapest setting that keeps it. "

@@ -20,17 +20,20 @@ Json errors_json(const CostFigures& figures) {
   return all;
 }
 
+Json time_json(const CostTime& time) {
+  return {{"least", time.least},
+          {"median", time.median},
+          {"spread", time.spread},
+          {"repeats", time.repeats}};
+}
+
 Json series_json(const CostSeries& series) {
   Json points = Json::array(), fits = Json::array();
   for (const CostPoint& point : series.points) {
     points.push_back({{"knob", point.knob},
                       {"setting", clean_text(point.words)},
                       {"errors", errors_json(point.errors)},
-                      {"seconds",
-                       {{"least", point.time.least},
-                        {"median", point.time.median},
-                        {"spread", point.time.spread},
-                        {"repeats", point.time.repeats}}}});
+                      {"seconds", time_json(point.time)}});
   }
   for (const CostFit& fit : series.fits) {
     fits.push_back({{"region", name_of(fit.region)},
@@ -43,6 +46,21 @@ Json series_json(const CostSeries& series) {
   return {{"name", series.name}, {"renderer", series.renderer}, {"title", series.title},
           {"knob", series.knob}, {"exact", series.exact},       {"points", points},
           {"fits", fits}};
+}
+
+Json effects_json(const EffectUse& use) {
+  Json called_for = Json::array(), left_out = Json::array(), counts = Json::object();
+  for (const EffectName& effect : effect_names())
+    (use.called_for.*effect.member ? called_for : left_out).push_back(effect.name);
+  for (const CountName& count : count_names())
+    counts[std::string(count.name)] = {{"needed", use.needed.*count.member},
+                                       {"all", use.all.*count.member}};
+  return {{"scene", clean_text(use.scene)},
+          {"called_for", called_for},
+          {"left_out", left_out},
+          {"counts", counts},
+          {"identical", use.identical},
+          {"seconds", {{"needed", time_json(use.needed_time)}, {"all", time_json(use.all_time)}}}};
 }
 
 Json topic_json(const CostTopic& topic) {
@@ -67,6 +85,10 @@ Json topic_json(const CostTopic& topic) {
 std::string cost_json(const CostStudy& study) {
   Json topics = Json::array(), missing = Json::array(), start_up = Json::object();
   for (const CostTopic& topic : study.topics) topics.push_back(topic_json(topic));
+  Json effects = Json::array(), effects_left_out = Json::array();
+  for (const EffectUse& use : study.effects) effects.push_back(effects_json(use));
+  for (const std::string& line : study.effects_left_out)
+    effects_left_out.push_back(clean_text(line));
   for (const std::string& line : study.missing) missing.push_back(clean_text(line));
   for (const auto& [renderer, seconds] : study.start_up) start_up[renderer] = seconds;
   const Json all{{"schema_version", 1},
@@ -78,6 +100,8 @@ std::string cost_json(const CostStudy& study) {
                    {"height", study.height}}},
                  {"quick", study.quick},
                  {"topics", topics},
+                 {"effects", effects},
+                 {"effects_left_out", effects_left_out},
                  {"sentences", study.sentences},
                  {"missing", missing},
                  {"start_up_seconds", start_up}};

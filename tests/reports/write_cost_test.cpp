@@ -6,6 +6,7 @@
 
 
 #include "reports/cost_study.h"
+#include "reports/effects_study.h"
 #include "scene/load.h"
 #include "tests/json_schema.h"
 
@@ -20,7 +21,9 @@ const CostStudy& small_study() {
   static const CostStudy study = [] {
     Scene scene = load_scene(find_scene("r3"));
     scene.about = "</script> & \"<b>\"";
-    return measure_cost(scene, {.quick = true, .width = 20});
+    CostStudy measured = measure_cost(scene, {.quick = true, .width = 20});
+    measured.effects = measure_effects({&scene, 1}, {.quick = true});
+    return measured;
   }();
   return study;
 }
@@ -74,6 +77,9 @@ TEST(CostJson, FollowsItsSchema) {
   extra["extra"] = 1;
   EXPECT_THAT(mismatches(negative), Not(testing::IsEmpty())) << "a control";
   EXPECT_THAT(mismatches(extra), Not(testing::IsEmpty())) << "a control";
+  json unknown = cost;
+  unknown["effects"][0]["identical"] = "yes";
+  EXPECT_THAT(mismatches(unknown), Not(testing::IsEmpty())) << "a control";
 }
 
 TEST(CostHtml, IsOnePageWithoutTheNetworkThatEscapesTheScene) {
@@ -82,6 +88,7 @@ TEST(CostHtml, IsOnePageWithoutTheNetworkThatEscapesTheScene) {
   EXPECT_THAT(page, Not(HasSubstr("src=\"http")));
   EXPECT_THAT(page, HasSubstr("new Chart("));
   EXPECT_THAT(page, HasSubstr("largest error you accept"));
+  EXPECT_THAT(page, HasSubstr("Effects: only what a scene calls for"));
   EXPECT_THAT(page, HasSubstr("--quick: not for quoting"));
 }
 
