@@ -9,8 +9,17 @@ namespace litmus {
 namespace {
 
 constexpr int kBins = 16;
-constexpr std::size_t kLeafSize = 4;
+constexpr std::size_t kLeafSize = kWide;
 constexpr int kMaximumDepth = 60;  // the traversal's stack holds 64
+
+/// Of a tree with two children a node.
+template <Real R>
+struct BinaryNode {
+  Vec<R> min, max;
+  std::uint32_t first =
+      0;  ///< leaf: first entry of `order`; else: the right child (the left one follows)
+  std::uint32_t count = 0;  ///< triangles of a leaf; 0 for an inner node
+};
 
 template <Real R>
 struct Bounds {
@@ -32,7 +41,8 @@ struct Bounds {
 
 template <Real R>
 struct Builder {
-  Bvh<R> bvh;
+  std::vector<BinaryNode<R>> nodes;  ///< nodes[0] is the root
+  std::vector<std::uint32_t> order;  ///< triangle numbers, leaf by leaf
   std::vector<Bounds<R>> bounds;
   std::vector<Vec<R>> centers;
 
@@ -46,8 +56,8 @@ struct Builder {
     Bounds<R> boxes[kBins];
     std::size_t counts[kBins] = {};
     for (std::size_t i = begin; i < end; ++i) {
-      const int bin = bin_of(bvh.order[i], axis, low, extent);
-      boxes[bin].add(bounds[bvh.order[i]]);
+      const int bin = bin_of(order[i], axis, low, extent);
+      boxes[bin].add(bounds[order[i]]);
       ++counts[bin];
     }
     R right_cost[kBins] = {};
@@ -71,102 +81,123 @@ struct Builder {
   }
 
   void build(std::size_t begin, std::size_t end, int depth) {
-    const std::size_t index = bvh.nodes.size();
-    bvh.nodes.emplace_back();
+    const std::size_t index = nodes.size();
+    nodes.emplace_back();
     Bounds<R> box, center_box;
     for (std::size_t i = begin; i < end; ++i) {
-      box.add(bounds[bvh.order[i]]);
-      center_box.add(centers[bvh.order[i]], centers[bvh.order[i]]);
+      box.add(bounds[order[i]]);
+      center_box.add(centers[order[i]], centers[order[i]]);
     }
-    bvh.nodes[index].min = box.min, bvh.nodes[index].max = box.max;
+    nodes[index].min = box.min, nodes[index].max = box.max;
 
     // Split along the longest side of the box of centres, unless all centres coincide.
     const Vec<R> extent = center_box.size();
     const int axis =
         extent.x > extent.y ? (extent.x > extent.z ? 0 : 2) : (extent.y > extent.z ? 1 : 2);
     if (end - begin <= kLeafSize || !(extent[axis] > 0) || depth == kMaximumDepth) {
-      bvh.nodes[index].first = std::uint32_t(begin);
-      bvh.nodes[index].count = std::uint32_t(end - begin);
+      nodes[index].first = std::uint32_t(begin);
+      nodes[index].count = std::uint32_t(end - begin);
       return;
     }
     const int split = cheapest_split(begin, end, axis, center_box.min[axis], extent[axis]);
-    const auto first = bvh.order.begin();
+    const auto first = order.begin();
     const auto middle = std::stable_partition(first + long(begin), first + long(end), [&](auto t) {
       return bin_of(t, axis, center_box.min[axis], extent[axis]) <= split;
     });
     std::size_t mid = std::size_t(middle - first);
     if (mid == begin || mid == end) mid = begin + (end - begin) / 2;
     build(begin, mid, depth + 1);
-    bvh.nodes[index].axis = std::uint32_t(axis);
-    bvh.nodes[index].first = std::uint32_t(bvh.nodes.size());
+    nodes[index].first = std::uint32_t(nodes.size());
     build(mid, end, depth + 1);
   }
 };
 
+/// Makes the wide tree of a binary one.
 template <Real R>
-R half_area(const BvhNode<R>& node) {
-  return Bounds<R>{node.min, node.max}.half_area();
-}
+struct Widener {
+  const Builder<R>& binary;
+  const std::vector<std::array<Vec<R>, 3>>& triangles;
+  Bvh<R> bvh;
 
-/// The nodes below an inner node that stand side by side in a wide one: the largest are opened
-/// until there are eight.
-template <Real R>
-std::vector<std::uint32_t> opened(const Bvh<R>& bvh, std::uint32_t inner) {
-  std::vector<std::uint32_t> places{inner + 1, bvh.nodes[inner].first};
-  while (places.size() < std::size_t(WideNode<R>::kWidth)) {
-    auto largest = places.end();
-    for (auto place = places.begin(); place != places.end(); ++place) {
-      if (bvh.nodes[*place].count > 0) continue;
-      if (largest == places.end() || half_area(bvh.nodes[*place]) > half_area(bvh.nodes[*largest]))
-        largest = place;
-    }
-    if (largest == places.end()) break;
-    const std::uint32_t node = *largest;
-    *largest = node + 1;
-    places.push_back(bvh.nodes[node].first);
+  R half_area(std::uint32_t node) const {
+    return Bounds<R>{binary.nodes[node].min, binary.nodes[node].max}.half_area();
   }
-  return places;
-}
 
-/// Appends the wide node of those places, and all below it; returns its number.
-template <Real R>
-std::uint32_t widen_tree(Bvh<R>& bvh, const std::vector<std::uint32_t>& places) {
-  constexpr R kInfinity = std::numeric_limits<R>::infinity();
-  const std::uint32_t number = std::uint32_t(bvh.wide.size());
-  bvh.wide.emplace_back();
-  WideNode<R> wide;
-  for (std::size_t k = 0; k < std::size_t(WideNode<R>::kWidth); ++k) {
-    const bool empty = k >= places.size();
-    const BvhNode<R>& node = bvh.nodes[empty ? 0 : places[k]];
-    for (int axis = 0; axis < 3; ++axis) {
-      wide.min[axis][k] = empty ? kInfinity : node.min[axis];
-      wide.max[axis][k] = empty ? -kInfinity : node.max[axis];
+  /// The nodes below an inner node that stand side by side in a wide one: the largest are opened
+  /// until there are eight.
+  std::vector<std::uint32_t> opened(std::uint32_t inner) const {
+    std::vector<std::uint32_t> places{inner + 1, binary.nodes[inner].first};
+    while (places.size() < std::size_t(kWide)) {
+      auto largest = places.end();
+      for (auto place = places.begin(); place != places.end(); ++place) {
+        if (binary.nodes[*place].count > 0) continue;
+        if (largest == places.end() || half_area(*place) > half_area(*largest)) largest = place;
+      }
+      if (largest == places.end()) break;
+      const std::uint32_t node = *largest;
+      *largest = node + 1;
+      places.push_back(binary.nodes[node].first);
     }
-    wide.first[k] = node.first, wide.count[k] = empty ? 0 : node.count;
-    if (!empty && node.count == 0) wide.first[k] = widen_tree(bvh, opened(bvh, places[k]));
+    return places;
   }
-  bvh.wide[number] = wide;
-  return number;
-}
+
+  /// Appends the blocks of a leaf; returns the number of the first.
+  std::uint32_t add_blocks(const BinaryNode<R>& leaf) {
+    const std::uint32_t number = std::uint32_t(bvh.blocks.size());
+    for (std::uint32_t i = 0; i < leaf.count; ++i) {
+      const int place = int(i % kWide);
+      if (place == 0) bvh.blocks.emplace_back();
+      TriangleBlock<R>& block = bvh.blocks.back();
+      block.numbers[place] = binary.order[leaf.first + i];
+      for (int k = 0; k < 3; ++k) {
+        const Vec<R>& corner = triangles[block.numbers[place]][std::size_t(k)];
+        for (int axis = 0; axis < 3; ++axis) block.corners[k][axis][place] = corner[axis];
+      }
+    }
+    return number;
+  }
+
+  /// Appends the wide node of those places, and all below it; returns its number.
+  std::uint32_t add_node(const std::vector<std::uint32_t>& places) {
+    constexpr R kInfinity = std::numeric_limits<R>::infinity();
+    const std::uint32_t number = std::uint32_t(bvh.nodes.size());
+    bvh.nodes.emplace_back();
+    WideNode<R> wide{};
+    for (std::size_t k = 0; k < std::size_t(kWide); ++k) {
+      const bool empty = k >= places.size();
+      for (int axis = 0; axis < 3; ++axis) {
+        wide.bounds[0][axis][k] = empty ? kInfinity : binary.nodes[places[k]].min[axis];
+        wide.bounds[1][axis][k] = empty ? -kInfinity : binary.nodes[places[k]].max[axis];
+      }
+      if (empty) continue;
+      const BinaryNode<R>& node = binary.nodes[places[k]];
+      wide.count[k] = node.count;
+      wide.first[k] = node.count > 0 ? add_blocks(node) : add_node(opened(places[k]));
+    }
+    bvh.nodes[number] = wide;
+    return number;
+  }
+};
 
 }  // namespace
 
 template <Real R>
 Bvh<R> build_bvh(const std::vector<std::array<Vec<R>, 3>>& triangles) {
+  if (triangles.empty()) return {};
   Builder<R> builder;
-  builder.bvh.order.resize(triangles.size());
-  std::iota(builder.bvh.order.begin(), builder.bvh.order.end(), 0u);
+  builder.order.resize(triangles.size());
+  std::iota(builder.order.begin(), builder.order.end(), 0u);
   for (const auto& triangle : triangles) {
     Bounds<R> box;
     for (const Vec<R>& corner : triangle) box.add(corner, corner);
     builder.bounds.push_back(box);
     builder.centers.push_back(R(0.5) * box.min + R(0.5) * box.max);
   }
-  if (triangles.empty()) return std::move(builder.bvh);
   builder.build(0, triangles.size(), 0);
-  const bool leaf = builder.bvh.nodes[0].count > 0;
-  widen_tree(builder.bvh, leaf ? std::vector<std::uint32_t>{0} : opened(builder.bvh, 0));
-  return std::move(builder.bvh);
+  const BinaryNode<R>& root = builder.nodes[0];
+  Widener<R> widener{builder, triangles, {{}, {}, root.min, root.max}};
+  widener.add_node(root.count > 0 ? std::vector<std::uint32_t>{0} : widener.opened(0));
+  return std::move(widener.bvh);
 }
 
 template Bvh<float> build_bvh(const std::vector<std::array<Vec<float>, 3>>&);

@@ -1,6 +1,7 @@
-// bvh.h: a tree of boxes over the triangles of a scene.
+// bvh.h: a tree of boxes over the triangles of a scene, eight at a time.
 #pragma once
 
+#include <bit>
 #include <cstdint>
 #include <vector>
 
@@ -8,96 +9,146 @@
 
 namespace litmus {
 
+/// Boxes of a node and triangles of a block: a ray is tested against all of them at once.
+inline constexpr int kWide = 8;
+
+/// Up to eight boxes side by side.
 template <Real R>
-struct BvhNode {
-  Vec<R> min, max;
-  std::uint32_t first =
-      0;  ///< leaf: first entry of `order`; else: the right child (the left one follows)
-  std::uint32_t count = 0;  ///< triangles of a leaf; 0 for an inner node
-  std::uint32_t axis = 0;   ///< inner node: the axis it was split along
+struct alignas(64) WideNode {
+  R bounds[2][3][kWide];       ///< lower and upper by axis; nothing meets the box of an empty place
+  std::uint32_t first[kWide];  ///< leaf: its first block; else: a node
+  std::uint32_t count[kWide];  ///< triangles of a leaf; 0 for a node
 };
 
-/// Up to eight boxes side by side, so that a ray is tested against all of them at once.
+/// Up to eight triangles side by side.
 template <Real R>
-struct WideNode {
-  static constexpr int kWidth = 8;
-  R min[3][kWidth], max[3][kWidth];  ///< by axis; an empty place has a box that nothing meets
-  std::uint32_t first[kWidth];       ///< leaf: first entry of `order`; else: a wide node
-  std::uint32_t count[kWidth];       ///< triangles of a leaf; 0 for a wide node
+struct alignas(64) TriangleBlock {
+  R corners[3][3][kWide];  ///< by corner and axis; nothing meets the triangle of an empty place
+  std::uint32_t numbers[kWide];  ///< in the list that the tree was built from
 };
 
 template <Real R>
 struct Bvh {
-  std::vector<BvhNode<R>> nodes;     ///< nodes[0] is the root; empty without triangles
-  std::vector<std::uint32_t> order;  ///< triangle numbers, leaf by leaf
-  std::vector<WideNode<R>> wide;     ///< the same tree with fewer levels: what rays traverse
+  std::vector<WideNode<R>> nodes;  ///< nodes[0] is the root; empty without triangles
+  std::vector<TriangleBlock<R>> blocks;
+  Vec<R> min, max;  ///< of all triangles
 };
 
 /// Builds the tree with the surface area heuristic over 16 bins (Wald 2007). Deterministic.
 template <Real R>
 Bvh<R> build_bvh(const std::vector<std::array<Vec<R>, 3>>& triangles);
 
-/// Where a ray enters the boxes of a wide node; infinite for those that it misses within its limit.
-template <Real R>
-void enter_boxes(const WideNode<R>& node, const Ray<R>& ray, const Vec<R>& inverse, R* enters) {
-  // Ize 2013 (Robust BVH Ray Traversal): without the factor a flat box is missed by rounding.
-  const R widen = 1 + 2 * gamma_bound<R>(3);
-  R leaves[WideNode<R>::kWidth];
-  for (int k = 0; k < WideNode<R>::kWidth; ++k) enters[k] = 0, leaves[k] = ray.limit;
-  for (int axis = 0; axis < 3; ++axis) {
-    const bool backwards = inverse[axis] < 0;
-    const R* const near = backwards ? node.max[axis] : node.min[axis];
-    const R* const far = backwards ? node.min[axis] : node.max[axis];
-    const R origin = ray.origin[axis], slope = inverse[axis];
-    // Ordered so that 0 * infinity changes nothing.
-    for (int k = 0; k < WideNode<R>::kWidth; ++k) {
-      const R low = (near[k] - origin) * slope, high = (far[k] - origin) * slope * widen;
-      enters[k] = low > enters[k] ? low : enters[k];
-      leaves[k] = high < leaves[k] ? high : leaves[k];
+/// A ray as it is tested against boxes: one ray in all lanes against a box in each, or the reverse.
+template <Value V>
+struct SlabRay {
+  V origin[3], slope[3], far_slope[3];  ///< slopes are 1 / direction
+
+  explicit SlabRay(const Ray<V>& ray) : origin{ray.origin.x, ray.origin.y, ray.origin.z} {
+    using R = Scalar<V>;
+    // Ize 2013 (Robust BVH Ray Traversal): without the factor a flat box is missed by rounding.
+    const R widen = 1 + 2 * gamma_bound<R>(3);
+    for (int axis = 0; axis < 3; ++axis) {
+      slope[axis] = R(1) / ray.direction[axis];
+      far_slope[axis] = slope[axis] * widen;
     }
   }
-  for (int k = 0; k < WideNode<R>::kWidth; ++k) {
-    enters[k] = enters[k] <= leaves[k] ? enters[k] : std::numeric_limits<R>::infinity();
+
+  /// Narrows the stretch from `enter` to `leave` of the ray to that between two planes across an
+  /// axis. Ordered so that 0 * infinity changes nothing.
+  void narrow(int axis, const V& near, const V& far, V& enter, V& leave) const {
+    enter = larger(V((near - origin[axis]) * slope[axis]), enter);
+    leave = smaller(V((far - origin[axis]) * far_slope[axis]), leave);
   }
+};
+
+/// Which rays of a packet meet a box within their limit.
+template <Value V>
+Mask<V> meets_box(const Vec<Scalar<V>>& min, const Vec<Scalar<V>>& max, const Ray<V>& ray) {
+  const SlabRay<V> slabs(ray);
+  V enter = Scalar<V>(0), leave = ray.limit;
+  for (int axis = 0; axis < 3; ++axis) {
+    const Mask<V> backwards = slabs.slope[axis] < Scalar<V>(0);
+    const V low = min[axis], high = max[axis];
+    slabs.narrow(axis, select(backwards, high, low), select(backwards, low, high), enter, leave);
+  }
+  return enter <= leave;
 }
 
-/// Calls visit(triangle number) -> bool for each triangle whose box the ray meets within ray.limit,
-/// nearer subtrees first; stops when visit returns true. The visitor may shorten ray.limit.
-template <Real R, class Visit>
-void traverse(const Bvh<R>& bvh, Ray<R>& ray, Visit&& visit) {
-  if (bvh.wide.empty()) return;
-  constexpr int kWidth = WideNode<R>::kWidth;
-  const Vec<R> inverse{1 / ray.direction.x, 1 / ray.direction.y, 1 / ray.direction.z};
+/// In which order a ray comes to the triangles.
+enum class Order { NearestFirst, Any };
+
+/// Calls visit(block, how many triangles) -> bool for each block of triangles whose box the ray
+/// meets within ray.limit; stops when visit returns true. The visitor may shorten ray.limit. W is
+/// as many boxes as are tested at once.
+template <Value W, Order kOrder, Real R, class Visit>
+void traverse(const Bvh<R>& bvh, const Ray<R>& ray, Visit&& visit) {
+  if (bvh.nodes.empty()) return;
+  const SlabRay<W> slabs(Ray<W>{Vec<W>(ray.origin), Vec<W>(ray.direction)});
+  int backwards[3];
+  for (int axis = 0; axis < 3; ++axis) backwards[axis] = 1 / ray.direction[axis] < 0;
   struct Entry {
     R enter;
     std::uint32_t first, count;
   };
-  Entry stack[64 * (kWidth - 1)];
-  int depth = 0;
-  stack[depth++] = {R(0), 0, 0};
-  while (depth > 0) {
+  Entry stack[64 * (kWide - 1) + 1];
+  stack[0] = {R(0), 0, 0};
+  for (int depth = 1; depth > 0;) {
     const Entry entry = stack[--depth];
     if (entry.enter > ray.limit) continue;
     if (entry.count > 0) {
-      for (std::uint32_t i = entry.first; i < entry.first + entry.count; ++i) {
-        if (visit(bvh.order[i])) return;
+      for (std::uint32_t k = 0; k * kWide < entry.count; ++k) {
+        const int count = int(std::min<std::uint32_t>(entry.count - k * kWide, kWide));
+        if (visit(bvh.blocks[entry.first + k], count)) return;
       }
       continue;
     }
-    const WideNode<R>& node = bvh.wide[entry.first];
-    R enters[kWidth];
-    enter_boxes(node, ray, inverse, enters);
-    // The nearest comes to the top of the stack.
+    const WideNode<R>& node = bvh.nodes[entry.first];
     const int bottom = depth;
-    for (int k = 0; k < kWidth; ++k) {
-      if (!(enters[k] < std::numeric_limits<R>::infinity())) continue;
-      int place = depth++;
-      for (; place > bottom && stack[place - 1].enter < enters[k]; --place) {
-        stack[place] = stack[place - 1];
+    for (int first = 0; first < kWide; first += kLanes<W>) {
+      W enter = R(0), leave = ray.limit;
+      for (int axis = 0; axis < 3; ++axis) {
+        slabs.narrow(axis, load_lanes<W>(node.bounds[backwards[axis]][axis] + first),
+                     load_lanes<W>(node.bounds[1 - backwards[axis]][axis] + first), enter, leave);
       }
-      stack[place] = {enters[k], node.first[k], node.count[k]};
+      unsigned met = lanes_of(enter <= leave);
+      if (met == 0) continue;
+      R enters[kLanes<W>];
+      copy_lanes(enter, enters);
+      for (; met != 0; met &= met - 1) {
+        const int k = std::countr_zero(met);
+        int place = depth++;
+        if constexpr (kOrder == Order::NearestFirst) {
+          // The nearest comes to the top of the stack.
+          for (; place > bottom && stack[place - 1].enter < enters[k]; --place) {
+            stack[place] = stack[place - 1];
+          }
+        }
+        stack[place] = {enters[k], node.first[first + k], node.count[first + k]};
+      }
     }
   }
 }
+
+/// One ray against the triangles of a block, as many as W has lanes, from the one at `first` on.
+template <Value W>
+struct BlockRay {
+  using R = Scalar<W>;
+  ShearedRay<R> sheared;
+  Vec<W> origin;
+
+  explicit BlockRay(const Ray<R>& ray)
+      : sheared(ray.direction), origin(Vec<W>(sheared.turned(ray.origin))) {}
+
+  Crossing<W> crossing(const TriangleBlock<R>& block, int first) const {
+    Vec<W> corners[3];
+    for (int k = 0; k < 3; ++k) {
+      const auto& corner = block.corners[k];
+      corners[k] = {load_lanes<W>(corner[sheared.kx] + first),
+                    load_lanes<W>(corner[sheared.ky] + first),
+                    load_lanes<W>(corner[sheared.kz] + first)};
+    }
+    return litmus::crossing(corners, origin, sheared);
+  }
+};
 
 }  // namespace litmus

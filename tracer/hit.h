@@ -60,7 +60,8 @@ Ray<Scalar<V>> lane(const Ray<V>& ray, int i) {
           lane(ray.limit, i)};
 }
 
-/// Calls visit(lane that is on it, mask of all lanes that are) for each surface that is hit.
+/// Calls visit(lane that is on it, mask of all lanes that are) for each surface that is hit, all
+/// triangles at once.
 template <Value V, class Visit>
 void for_each_surface(const Hit<V>& hit, Visit visit) {
   if constexpr (kLanes<V> == 1) {
@@ -68,8 +69,8 @@ void for_each_surface(const Hit<V>& hit, Visit visit) {
   } else {
     for (Mask<V> left = hit.object >= Index<V>(0); any_of(left);) {
       const int i = first_of(left);
-      const Mask<V> on =
-          (hit.kind == KindOf<V>(lane(hit.kind, i))) & (hit.index == Index<V>(lane(hit.index, i)));
+      Mask<V> on = left & (hit.kind == KindOf<V>(lane(hit.kind, i)));
+      if (kind_at(hit, i) != Kind::Triangle) on = on & (hit.index == Index<V>(lane(hit.index, i)));
       visit(i, on);
       left = left & !on;
     }
@@ -116,21 +117,64 @@ Settled<V> settle(const BoxSurface<Scalar<V>>& box, const Hit<V>& hit) {
   return settled;
 }
 
-/// From the first corner along the edges: the weights need not add up to 1 to the last digit.
+/// What the hits on triangles need to know of theirs, in each lane.
+template <Value V>
+struct HitTriangles {
+  std::array<Vec<V>, 3> corners, normals;
+  Vec<V> normal;
+  Mask<V> smooth = false;
+};
+
+/// Collects those of the lanes that are on triangles.
 template <Real R, Value V>
-Settled<V> settle(const std::array<Vec<R>, 3>& corners, const TriangleInfo<R>& info,
-                  const Hit<V>& hit) {
-  const Vec<V> a(corners[0]), ab(corners[1] - corners[0]), ac(corners[2] - corners[0]);
-  const auto between = [&](const std::array<Vec<R>, 3>& at) {
-    return hit.u * Vec<V>(at[0]) + hit.v * Vec<V>(at[1]) + hit.w * Vec<V>(at[2]);
+HitTriangles<V> triangles_of(const Plan<R>& plan, const Hit<V>& hit, const Mask<V>& on) {
+  constexpr int kCount = 3 * 3 * 2 + 3;
+  R lanes[kCount][kLanes<V>] = {};
+  HitTriangles<V> all;
+  for (int i = 0; i < kLanes<V>; ++i) {
+    if (!lane(on, i)) continue;
+    const auto index = std::size_t(lane(hit.index, i));
+    const TriangleInfo<R>& info = plan.triangle_info[index];
+    int place = 0;
+    const auto put = [&](const Vec<R>& v) {
+      lanes[place++][i] = v.x, lanes[place++][i] = v.y, lanes[place++][i] = v.z;
+    };
+    for (const Vec<R>& corner : plan.triangles[index]) put(corner);
+    put(info.normal);
+    if (!info.smooth) continue;
+    set_lane(all.smooth, i, true);
+    for (const Vec<R>& normal : info.normals) put(normal);
+  }
+  int place = 0;
+  const auto take = [&](Vec<V>& v) {
+    v = {load_lanes<V>(lanes[place]), load_lanes<V>(lanes[place + 1]),
+         load_lanes<V>(lanes[place + 2])};
+    place += 3;
   };
-  const Vec<V> normal(info.normal);
-  const R reach = std::max({max_abs(corners[0]), max_abs(corners[1]), max_abs(corners[2])});
-  return {a + (hit.v * ab + hit.w * ac),
-          normal,
-          info.smooth ? normalize<Divide::Once>(between(info.normals)) : normal,
-          V(reach),
-          {}};
+  for (Vec<V>& corner : all.corners) take(corner);
+  take(all.normal);
+  if (any_of(all.smooth)) {
+    for (Vec<V>& normal : all.normals) take(normal);
+  }
+  return all;
+}
+
+/// From the first corner along the edges: the weights need not add up to 1 to the last digit.
+template <Value V>
+Settled<V> settle(const HitTriangles<V>& on, const Hit<V>& hit) {
+  const auto& [a, b, c] = on.corners;
+  const V at_a = max_abs(a), at_b = max_abs(b), at_c = max_abs(c);
+  const V ab_reach = select(at_a < at_b, at_b, at_a);
+  Settled<V> settled{a + (hit.v * (b - a) + hit.w * (c - a)),
+                     on.normal,
+                     on.normal,
+                     select(ab_reach < at_c, at_c, ab_reach),
+                     {}};
+  if (none_of(on.smooth)) return settled;
+  const auto& [na, nb, nc] = on.normals;
+  const Vec<V> between = normalize<Divide::Once>(hit.u * na + hit.v * nb + hit.w * nc);
+  settled.normal = select(on.smooth, between, on.normal);
+  return settled;
 }
 
 /// The geometric and shading normal of a hit, and its point moved onto the surface.
@@ -155,7 +199,7 @@ void settle(const Plan<R>& plan, const Ray<V>& ray, Hit<V>& hit) {
         one = settle(plan.boxes[index].shape, hit);
         break;
       case Kind::Triangle:
-        one = settle(plan.triangles[index], plan.triangle_info[index], hit);
+        one = settle(triangles_of(plan, hit, on), hit);
         break;
     }
     if (all_of(on)) {
@@ -175,26 +219,46 @@ void settle(const Plan<R>& plan, const Ray<V>& ray, Hit<V>& hit) {
   hit.normal = select(dot(all.normal, ray.direction) > R(0), -all.normal, all.normal);
 }
 
-/// Moves a hit to the triangle that a ray meets first, if that comes before.
+/// Moves the hit of one ray to the triangle that it meets first, if that comes before. W is as many
+/// triangles as are tested at once.
+template <Value W, Real R>
+void closest_triangle(const Plan<R>& plan, Ray<R> ray, Hit<R>& best) {
+  const BlockRay<W> block_ray(ray);
+  ray.limit = best.t;
+  R total = 1;
+  traverse<W, Order::NearestFirst>(plan.bvh, ray, [&](const TriangleBlock<R>& block, int count) {
+    for (int first = 0; first < count; first += kLanes<W>) {
+      const Crossing<W> met = block_ray.crossing(block, first);
+      unsigned hits = lanes_of((met.t > R(0)) & (met.t <= W(ray.limit)));
+      for (; hits != 0; hits &= hits - 1) {
+        const int i = std::countr_zero(hits), index = int(block.numbers[first + i]);
+        const int object = plan.triangle_info[std::size_t(index)].object;
+        if (!plan.camera_visible[std::size_t(object)]) continue;
+        if (!comes_before(lane(met.t, i), object, index, best)) continue;
+        best.kind = Kind::Triangle, best.object = object, best.index = index;
+        best.u = lane(met.u, i), best.v = lane(met.v, i), best.w = lane(met.w, i);
+        best.t = ray.limit = lane(met.t, i), total = lane(met.total, i);
+      }
+    }
+    return false;
+  });
+  if (best.kind != Kind::Triangle) return;
+  best.u = best.u / total, best.v = best.v / total, best.w = best.w / total;
+}
+
+/// The same for the rays of a packet, of which only those that meet the box around all triangles
+/// are looked at.
 template <Real R, Value V>
-void closest_triangle(const Plan<R>& plan, const Ray<V>& rays, Hit<V>& best) {
-  for (int i = 0; i < kLanes<V>; ++i) {
-    Ray<R> ray = lane(rays, i);
-    ray.limit = lane(best.t, i);
+[[gnu::noinline, gnu::flatten]] void closest_triangles(const Plan<R>& plan, Ray<V> rays,
+                                                       Hit<V>& best) {
+  rays.limit = best.t;
+  const Mask<V> may_meet = meets_box(plan.bvh.min, plan.bvh.max, rays);
+  for (unsigned left = lanes_of(may_meet); left != 0; left &= left - 1) {
+    const int i = std::countr_zero(left);
     Hit<R> found;
-    found.t = ray.limit;
+    found.t = lane(best.t, i);
     found.object = int(lane(best.object, i)), found.index = int(lane(best.index, i));
-    const ShearedRay<R> sheared(ray.direction);
-    traverse(plan.bvh, ray, [&](std::uint32_t number) {
-      const int object = plan.triangle_info[number].object, index = int(number);
-      if (!plan.camera_visible[std::size_t(object)]) return false;
-      const TriangleHit<R> hit = intersect(plan.triangles[number], ray, sheared);
-      if (!(hit.t > 0) || !comes_before(hit.t, object, index, found)) return false;
-      found.kind = Kind::Triangle, found.object = object, found.index = index;
-      found.u = hit.u, found.v = hit.v, found.w = hit.w;
-      found.t = ray.limit = hit.t;
-      return false;
-    });
+    closest_triangle<Abreast<V>>(plan, lane(rays, i), found);
     if (found.kind == Kind::None) continue;
     Mask<V> here = false;
     set_lane(here, i, true);
@@ -244,7 +308,7 @@ void find_closest(const Plan<R>& plan, const Ray<V>& ray, const MayMeet& may_mee
     }
     ++i;
   }
-  if (!plan.triangles.empty()) closest_triangle(plan, ray, best);
+  if (!plan.triangles.empty()) closest_triangles(plan, ray, best);
   settle(plan, ray, best);
 }
 

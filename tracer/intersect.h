@@ -181,6 +181,16 @@ struct ShearedRay {
     if (d[kz] < 0) std::swap(kx, ky);
     sx = d[kx] / d[kz], sy = d[ky] / d[kz], sz = 1 / d[kz];
   }
+
+  /// A point with its coordinates in the order kx, ky, kz.
+  Vec<R> turned(const Vec<R>& p) const { return {p[kx], p[ky], p[kz]}; }
+};
+
+/// Where a ray's line crosses a triangle.
+template <Value V>
+struct Crossing {
+  V t = Scalar<V>(-1);       ///< negative if the line misses
+  V u{}, v{}, w{}, total{};  ///< barycentric weights, times their total
 };
 
 /// t and barycentric weights of a, b, c; t is negative if the line misses.
@@ -189,18 +199,18 @@ struct TriangleHit {
   V t = Scalar<V>(-1), u{}, v{}, w{};
 };
 
-/// One ray against one triangle, or against a packet of them. Watertight: neighbours that share an
-/// edge compute the same edge function, so nothing passes between them. The edge functions are
-/// differences of products with one rounding, which contraction by a compiler cannot change.
-template <Real R, Value V = R>
-TriangleHit<V> intersect(const std::type_identity_t<std::array<Vec<V>, 3>>& triangle,
-                         const Ray<R>& ray, const ShearedRay<R>& s) {
+/// One ray against one triangle, or against a packet of them, all turned as the ray is. Watertight:
+/// neighbours that share an edge compute the same edge function, so nothing passes between them.
+/// The edge functions are differences of products with one rounding, which contraction by a
+/// compiler cannot change.
+template <Real R, Value V>
+Crossing<V> crossing(const Vec<V> (&corners)[3], const Vec<V>& origin, const ShearedRay<R>& s) {
   // Move the triangle so that the ray starts at the origin and runs along z.
-  const Vec<V> origin(ray.origin);
-  const Vec<V> a = triangle[0] - origin, b = triangle[1] - origin, c = triangle[2] - origin;
-  const V ax = a[s.kx] - s.sx * a[s.kz], ay = a[s.ky] - s.sy * a[s.kz];
-  const V bx = b[s.kx] - s.sx * b[s.kz], by = b[s.ky] - s.sy * b[s.kz];
-  const V cx = c[s.kx] - s.sx * c[s.kz], cy = c[s.ky] - s.sy * c[s.kz];
+  const V sx = s.sx, sy = s.sy, sz = s.sz;
+  const Vec<V> a = corners[0] - origin, b = corners[1] - origin, c = corners[2] - origin;
+  const V ax = a.x - sx * a.z, ay = a.y - sy * a.z;
+  const V bx = b.x - sx * b.z, by = b.y - sy * b.z;
+  const V cx = c.x - sx * c.z, cy = c.y - sy * c.z;
 
   // Ask on which side of each edge the axis passes.
   const V u = difference_of_products(cx, by, cy, bx);
@@ -212,8 +222,18 @@ TriangleHit<V> intersect(const std::type_identity_t<std::array<Vec<V>, 3>>& tria
   const Mask<V> hits = !(below & above) & (total != R(0));
   if (none_of(hits)) return {};
 
-  const V t = (u * (s.sz * a[s.kz]) + v * (s.sz * b[s.kz]) + w * (s.sz * c[s.kz])) / total;
-  return {select(hits, t, V(R(-1))), u / total, v / total, w / total};
+  const V t = (u * (sz * a.z) + v * (sz * b.z) + w * (sz * c.z)) / total;
+  return {select(hits, t, V(R(-1))), u, v, w, total};
+}
+
+/// One ray against one triangle.
+template <Real R>
+TriangleHit<R> intersect(const std::type_identity_t<std::array<Vec<R>, 3>>& triangle,
+                         const Ray<R>& ray, const ShearedRay<R>& s) {
+  const Vec<R> corners[3] = {s.turned(triangle[0]), s.turned(triangle[1]), s.turned(triangle[2])};
+  const Crossing<R> all = crossing(corners, s.turned(ray.origin), s);
+  if (!(all.t >= 0)) return {all.t};
+  return {all.t, all.u / all.total, all.v / all.total, all.w / all.total};
 }
 
 }  // namespace litmus

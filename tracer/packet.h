@@ -55,6 +55,19 @@ struct PacketMask {
   LITMUS_INLINE friend int first_of(const PacketMask& mask) {
     return stdx::find_first_set(mask.lanes);
   }
+  LITMUS_INLINE friend unsigned lanes_of(const PacketMask& mask) {
+#ifdef __AVX2__
+    if constexpr (sizeof(Lanes) == 32 && sizeof(T) == 8) {
+      return unsigned(_mm256_movemask_pd(std::bit_cast<__m256d>(mask.lanes)));
+    }
+    if constexpr (sizeof(Lanes) == 32 && sizeof(T) == 4) {
+      return unsigned(_mm256_movemask_ps(std::bit_cast<__m256>(mask.lanes)));
+    }
+#endif
+    unsigned bits = 0;
+    for (int i = 0; i < N; ++i) bits |= unsigned(lane(mask, i)) << i;
+    return bits;
+  }
 };
 
 #ifdef __AVX512DQ__
@@ -108,6 +121,7 @@ struct PacketMask<T, N> {
   LITMUS_INLINE friend int first_of(const PacketMask& mask) {
     return std::countr_zero(unsigned(mask.bits));
   }
+  LITMUS_INLINE friend unsigned lanes_of(const PacketMask& mask) { return mask.bits; }
 };
 #endif
 
@@ -159,6 +173,29 @@ LITMUS_INLINE inline Simd<T, N> blend(const PacketMask<T, N>& mask, const Simd<T
     stdx::where(mask.lanes, result) = a;
     return result;
   }
+}
+
+/// The larger (or the smaller) of two; b where one of them is not a number: one instruction.
+template <bool kLarger, class T, int N>
+LITMUS_INLINE inline Simd<T, N> extreme(const Simd<T, N>& a, const Simd<T, N>& b) {
+  constexpr std::size_t kBytes = N * sizeof(T);
+#ifdef __AVX512DQ__
+  if constexpr (kBytes == 64 && sizeof(T) == 8) {
+    const auto x = std::bit_cast<__m512d>(a), y = std::bit_cast<__m512d>(b);
+    return std::bit_cast<Simd<T, N>>(kLarger ? _mm512_max_pd(x, y) : _mm512_min_pd(x, y));
+  } else
+#endif
+#ifdef __AVX2__
+      if constexpr (kBytes == 32 && sizeof(T) == 8) {
+    const auto x = std::bit_cast<__m256d>(a), y = std::bit_cast<__m256d>(b);
+    return std::bit_cast<Simd<T, N>>(kLarger ? _mm256_max_pd(x, y) : _mm256_min_pd(x, y));
+  } else if constexpr (kBytes == 32) {
+    const auto x = std::bit_cast<__m256>(a), y = std::bit_cast<__m256>(b);
+    return std::bit_cast<Simd<T, N>>(kLarger ? _mm256_max_ps(x, y) : _mm256_min_ps(x, y));
+  } else
+#endif
+    return kLarger ? blend<T, N>(compare<Comparison::Less, T, N>(b, a), a, b)
+                   : blend<T, N>(compare<Comparison::Less, T, N>(a, b), a, b);
 }
 
 /// a * b + c, rounded once. The library takes it lane by lane.
@@ -242,6 +279,12 @@ struct Packet {
   LITMUS_INLINE friend Packet select(const Mask& mask, const Packet& a, const Packet& b) {
     return blend<T, N>(mask, a.lanes, b.lanes);
   }
+  LITMUS_INLINE friend Packet larger(const Packet& a, const Packet& b) {
+    return extreme<true, T, N>(a.lanes, b.lanes);
+  }
+  LITMUS_INLINE friend Packet smaller(const Packet& a, const Packet& b) {
+    return extreme<false, T, N>(a.lanes, b.lanes);
+  }
   LITMUS_INLINE friend Packet sqrt(const Packet& a) { return stdx::sqrt(a.lanes); }
   LITMUS_INLINE friend Packet fabs(const Packet& a) {
     return from_bits(bits_of(a) & Packet<Unsigned, N>(~(Unsigned(1) << (8 * sizeof(T) - 1))));
@@ -278,7 +321,11 @@ struct ValueTraits<Packet<T, N>> {
   using Index = Packet<T, N>;  ///< exact up to 2^24 in float
   using Bits = Packet<typename Packet<T, N>::Unsigned, N>;
   using Sum = Packet<double, N>;
+  using Abreast = Packet<T, (N < 8 ? N : 8)>;
   static constexpr int kLanes = N;
+  LITMUS_INLINE static Packet<T, N> load(const T* scalars) {
+    return Simd<T, N>(scalars, stdx::element_aligned);
+  }
 };
 
 /// As many lanes as a vector of the processor has that this file is compiled for.

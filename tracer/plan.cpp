@@ -185,7 +185,7 @@ Plan<R> lower(const Scene& scene, const Effects& effects) {
   }
   plan.bvh = build_bvh(plan.triangles);
   if (!plan.triangles.empty()) {
-    plan.mesh_ball = box_ball(plan.bvh.nodes[0].min, plan.bvh.nodes[0].max);
+    plan.mesh_ball = box_ball(plan.bvh.min, plan.bvh.max);
   }
   for (const Light& light : scene.lights) {
     const R intensity(light.intensity);

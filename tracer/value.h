@@ -33,7 +33,10 @@ struct ValueTraits {
   using Bits = std::conditional_t<sizeof(V) == 4, std::uint32_t, std::uint64_t>;
   /// Where many terms meet: a float kernel adds up in double, every other one in its own type.
   using Sum = std::conditional_t<std::is_same_v<V, float>, double, V>;
+  /// For eight scalars that are compared with one: as many of them as go side by side.
+  using Abreast = V;
   static constexpr int kLanes = 1;
+  static V load(const V* scalars) { return *scalars; }
 };
 
 template <class V>
@@ -46,6 +49,8 @@ template <class V>
 using Bits = typename ValueTraits<V>::Bits;
 template <class V>
 using Sum = typename ValueTraits<V>::Sum;
+template <class V>
+using Abreast = typename ValueTraits<V>::Abreast;
 template <class V>
 inline constexpr int kLanes = ValueTraits<V>::kLanes;
 
@@ -64,6 +69,18 @@ inline bool any_of(bool mask) { return mask; }
 inline bool all_of(bool mask) { return mask; }
 inline bool none_of(bool mask) { return !mask; }
 inline int count_of(bool mask) { return mask; }
+/// A bit for each lane, the lowest for the first.
+inline unsigned lanes_of(bool mask) { return mask; }
+
+/// The larger and the smaller of two; b where one of them is not a number.
+template <Real R>
+R larger(const R& a, const R& b) {
+  return a > b ? a : b;
+}
+template <Real R>
+R smaller(const R& a, const R& b) {
+  return a < b ? a : b;
+}
 
 /// One lane of a value, of a mask or of an index.
 template <class T>
@@ -77,6 +94,12 @@ requires(Real<T> || std::is_integral_v<T>) void set_lane(T& value, int, const T&
 template <Real R>
 void copy_lanes(const R& value, R* lanes) {
   *lanes = value;
+}
+
+/// As many scalars, one after the other, as the value has lanes.
+template <Value V>
+V load_lanes(const Scalar<V>* scalars) {
+  return ValueTraits<V>::load(scalars);
 }
 
 /// The value in the type that sums are made in.

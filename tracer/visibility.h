@@ -166,21 +166,29 @@ bool visit_blockers(const Plan<R>& plan, const Hit<V>& hit, const ShadowRay<V>& 
 }
 
 /// The object of a triangle that a shadow ray meets, not always the nearest, -1 if there is none.
-/// `own` is the triangle that it leaves, or -1.
-template <Real R>
+/// `own` is the triangle that it leaves, or -1; W is as many triangles as are tested at once.
+template <Value W, Real R>
 int blocking_triangle(const Plan<R>& plan, const ShadowRay<R>& shadow, int own) {
-  if (plan.triangles.empty()) return -1;
-  Ray<R> ray = shadow.ray;
-  const ShearedRay<R> sheared(ray.direction);
+  const Ray<R>& ray = shadow.ray;
+  const BlockRay<W> block_ray(ray);
   int blocker = -1;
-  traverse(plan.bvh, ray, [&](std::uint32_t number) {
-    if (int(number) == own) return false;
-    const R t = intersect(plan.triangles[number], ray, sheared).t;
-    if (!(t > 0 && t < ray.limit)) return false;
-    const R slope = dot(plan.triangle_info[number].normal, ray.direction);
-    if (!shadow.meets(t, slope, max_abs(plan.triangles[number][0]))) return false;
-    blocker = plan.triangle_info[number].object;
-    return true;
+  const auto blocks = [&](int number, const R& t) {
+    if (number == own) return false;
+    const R slope = dot(plan.triangle_info[std::size_t(number)].normal, ray.direction);
+    return shadow.meets(t, slope, max_abs(plan.triangles[std::size_t(number)][0]));
+  };
+  traverse<W, Order::Any>(plan.bvh, ray, [&](const TriangleBlock<R>& block, int count) {
+    for (int first = 0; first < count; first += kLanes<W>) {
+      const Crossing<W> met = block_ray.crossing(block, first);
+      unsigned hits = lanes_of((met.t > R(0)) & (met.t < W(ray.limit)));
+      for (; hits != 0; hits &= hits - 1) {
+        const int i = std::countr_zero(hits), number = int(block.numbers[first + i]);
+        if (!blocks(number, lane(met.t, i))) continue;
+        blocker = plan.triangle_info[std::size_t(number)].object;
+        return true;
+      }
+    }
+    return false;
   });
   return blocker;
 }
@@ -202,7 +210,7 @@ int first_blocker(const Plan<R>& plan, const Hit<R>& hit, const Incident<R>& lig
         blocker = object;
         return blocked;
       });
-  return found ? blocker : blocking_triangle(plan, shadow, own_triangle(hit, 0));
+  return found ? blocker : blocking_triangle<R>(plan, shadow, own_triangle(hit, 0));
 }
 
 /// Whether anything lies strictly between a hit and a lamp, for the lanes that are asked for. Only
@@ -219,9 +227,10 @@ Mask<V> occluded(const Plan<R>& plan, const Hit<V>& hit, const Incident<V>& ligh
         return all_of(blocked);
       });
   if (all_blocked || plan.triangles.empty() || !suspects.triangles) return blocked & asked;
-  for (int i = 0; i < kLanes<V>; ++i) {
-    if (lane(blocked, i)) continue;
-    set_lane(blocked, i, blocking_triangle(plan, lane(shadow, i), own_triangle(hit, i)) >= 0);
+  const Mask<V> may_meet = !blocked & meets_box(plan.bvh.min, plan.bvh.max, shadow.ray);
+  for (unsigned left = lanes_of(may_meet); left != 0; left &= left - 1) {
+    const int i = std::countr_zero(left), own = own_triangle(hit, i);
+    if (blocking_triangle<Abreast<V>>(plan, lane(shadow, i), own) >= 0) set_lane(blocked, i, true);
   }
   return blocked & asked;
 }

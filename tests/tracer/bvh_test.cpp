@@ -23,11 +23,36 @@ std::vector<Corners> random_triangles(int count) {
   return triangles;
 }
 
+/// How often each of `count` triangles is in a leaf, with its own corners.
+std::vector<int> times_held(const std::vector<Corners>& triangles, const Bvh<double>& bvh) {
+  std::vector<int> times(triangles.size());
+  for (const WideNode<double>& node : bvh.nodes) {
+    for (int k = 0; k < kWide; ++k) {
+      for (std::uint32_t i = 0; i < node.count[k]; ++i) {
+        const TriangleBlock<double>& block = bvh.blocks[node.first[k] + i / kWide];
+        const std::uint32_t place = i % kWide, number = block.numbers[place];
+        bool same = true;
+        for (std::size_t c = 0; c < 3; ++c) {
+          for (int axis = 0; axis < 3; ++axis)
+            same &= block.corners[c][axis][place] == triangles[number][c][axis];
+        }
+        times[number] += same;
+      }
+    }
+  }
+  return times;
+}
+
 TEST(Bvh, HoldsEveryTriangleOnce) {
+  const auto triangles = random_triangles(1000);
+  const auto times = times_held(triangles, build_bvh(triangles));
+  EXPECT_EQ(std::count(times.begin(), times.end(), 1), 1000);
+}
+
+TEST(Bvh, FillsMostPlacesOfItsNodesAndBlocks) {
   const auto bvh = build_bvh(random_triangles(1000));
-  std::vector<int> seen(1000);
-  for (const std::uint32_t triangle : bvh.order) ++seen[triangle];
-  EXPECT_EQ(std::count(seen.begin(), seen.end(), 1), 1000);
+  EXPECT_LT(bvh.blocks.size() * kWide, 1000 * 2);
+  EXPECT_LT(bvh.nodes.size() * kWide, (bvh.blocks.size() + bvh.nodes.size()) * 3);
 }
 
 TEST(Bvh, FindsWhatAPlainLoopFinds) {
@@ -45,9 +70,11 @@ TEST(Bvh, FindsWhatAPlainLoopFinds) {
       const double t = intersect(corners, ray, sheared).t;
       if (t > 0 && t < plain) plain = t;
     }
-    traverse(bvh, ray, [&](std::uint32_t index) {
-      const double t = intersect(triangles[index], ray, sheared).t;
-      if (t > 0 && t < tree) tree = ray.limit = t;
+    traverse<double, Order::NearestFirst>(bvh, ray, [&](const auto& block, int count) {
+      for (int k = 0; k < count; ++k) {
+        const double t = BlockRay<double>(ray).crossing(block, k).t;
+        if (t > 0 && t < tree) tree = ray.limit = t;
+      }
       return false;
     });
     ASSERT_EQ(tree, plain);
@@ -56,31 +83,20 @@ TEST(Bvh, FindsWhatAPlainLoopFinds) {
   EXPECT_GT(hits, 50);
 }
 
-TEST(Bvh, HoldsEveryTriangleOnceInItsWideNodes) {
-  const auto bvh = build_bvh(random_triangles(1000));
-  std::vector<int> seen(1000);
-  for (const WideNode<double>& node : bvh.wide) {
-    for (int k = 0; k < WideNode<double>::kWidth; ++k) {
-      for (std::uint32_t i = 0; i < node.count[k]; ++i) ++seen[bvh.order[node.first[k] + i]];
-    }
-  }
-  EXPECT_EQ(std::count(seen.begin(), seen.end(), 1), 1000);
-  EXPECT_LT(bvh.wide.size(), bvh.nodes.size() / 5);
-}
-
 TEST(Bvh, MeetsAFlatBoxSeenAlongAnAxis) {
   const std::vector<Corners> square{{Vec<double>{0, 0, 0}, {1, 0, 0}, {0, 1, 0}},
                                     {Vec<double>{1, 1, 0}, {0, 1, 0}, {1, 0, 0}}};
   const auto bvh = build_bvh(square);
   Ray<double> ray{{1.0 / 3, 1.0 / 7, 1}, {0, 0, -1}};
   int visited = 0;
-  traverse(bvh, ray, [&](std::uint32_t) { return ++visited, false; });
+  traverse<double, Order::Any>(bvh, ray, [&](const auto&, int) { return ++visited, false; });
   EXPECT_GT(visited, 0);
 }
 
 TEST(Bvh, SplitsTrianglesThatShareOneCentre) {
   const std::vector<Corners> pile(100000, Corners{Vec<double>{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
-  EXPECT_EQ(build_bvh(pile).order.size(), pile.size());
+  const auto times = times_held(pile, build_bvh(pile));
+  EXPECT_EQ(std::size_t(std::count(times.begin(), times.end(), 1)), pile.size());
 }
 
 }  // namespace
