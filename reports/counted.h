@@ -44,6 +44,8 @@ struct Counted {
   friend Counted fma(Counted a, Counted b, Counted c) {
     return ++tally.fused, std::fma(a.value, b.value, c.value);
   }
+  friend Counted larger(Counted a, Counted b) { return a.value > b.value ? a : b; }
+  friend Counted smaller(Counted a, Counted b) { return a.value < b.value ? a : b; }
   friend std::uint64_t bits_of(Counted a) { return litmus::bits_of(a.value); }
   friend double lane(Counted a, int) { return a.value; }
   friend void set_lane(Counted& a, int, double value) { a.value = value; }
@@ -58,7 +60,9 @@ struct ValueTraits<Counted> {
   using Index = int;
   using Bits = std::uint64_t;
   using Sum = Counted;
+  using Abreast = double;  ///< triangles are not counted
   static constexpr int kLanes = 1;
+  static Counted load(const double* scalars) { return *scalars; }
 };
 
 }  // namespace litmus

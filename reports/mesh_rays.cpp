@@ -57,7 +57,7 @@ RaySet shadow_rays(const Plan<double>& plan) {
 
 double mesh_bytes(const Plan<double>& plan) {
   return bytes_of(plan.triangles) + bytes_of(plan.triangle_info) + bytes_of(plan.bvh.nodes) +
-         bytes_of(plan.bvh.order) + bytes_of(plan.bvh.wide);
+         bytes_of(plan.bvh.blocks);
 }
 
 }  // namespace litmus
