@@ -59,7 +59,7 @@ std::uint64_t naive_nonfinite(const Scene& scene) {
       for (const Source<R>& source : plan.sources) {
         for (const Lamp<R>& lamp : source.lamps) {
           total += naive_color(lamp, hit, -normalize(ray.direction),
-                               plan.finishes[std::size_t(hit.object)].shininess);
+                               plan.finishes[std::size_t(hit.object)].shininess.value);
         }
       }
       count += !std::isfinite(total);

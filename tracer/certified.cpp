@@ -181,7 +181,7 @@ struct Integrator {
             to.unit,
             eye,
             hit.normal,
-            finish.shininess,
+            finish.shininess.value,
             finish.shiny};
   }
 

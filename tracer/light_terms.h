@@ -53,31 +53,38 @@ template <Real R, Value V>
 Finish<V> finish_of(const Plan<R>& plan, const Hit<V>& hit) {
   if constexpr (kLanes<V> == 1) {
     const Finish<R>& one = plan.finishes[std::size_t(std::max(hit.object, 0))];
-    return {Vec<V>(one.ambient), Vec<V>(one.diffuse), Vec<V>(one.specular),
-            V(one.shininess),    one.shiny,           one.reflects};
+    if constexpr (std::is_same_v<V, R>) return one;
+    return {Vec<V>(one.ambient),
+            Vec<V>(one.diffuse),
+            Vec<V>(one.specular),
+            Exponent<V>(V(one.shininess.value)),
+            one.shiny,
+            one.reflects};
   } else {
     Finish<V> all;
     const Mask<V> seen = hit.object >= Index<V>(0);
     // Lanes that see nothing take a shininess that is there: powers of one exponent are cheaper.
+    V shininess = R(0);
     if (any_of(seen)) {
-      all.shininess = V(plan.finishes[std::size_t(lane(hit.object, first_of(seen)))].shininess);
+      const auto first = std::size_t(lane(hit.object, first_of(seen)));
+      shininess = V(plan.finishes[first].shininess.value);
     }
     for (Mask<V> left = seen; any_of(left);) {
       const Scalar<V> object = lane(hit.object, first_of(left));
       const Finish<R>& one = plan.finishes[std::size_t(object)];
       const Mask<V> on = hit.object == Index<V>(object);
       if (all_of(on)) {
-        return {Vec<V>(one.ambient), Vec<V>(one.diffuse), Vec<V>(one.specular),
-                V(one.shininess),    one.shiny,           one.reflects};
+        return {Vec<V>(one.ambient),        Vec<V>(one.diffuse), Vec<V>(one.specular),
+                Exponent<V>(one.shininess), one.shiny,           one.reflects};
       }
-      all = {select(on, Vec<V>(one.ambient), all.ambient),
-             select(on, Vec<V>(one.diffuse), all.diffuse),
-             select(on, Vec<V>(one.specular), all.specular),
-             select(on, V(one.shininess), all.shininess),
-             all.shiny | (on & one.shiny),
-             all.reflects | (on & one.reflects)};
+      all.ambient = select(on, Vec<V>(one.ambient), all.ambient);
+      all.diffuse = select(on, Vec<V>(one.diffuse), all.diffuse);
+      all.specular = select(on, Vec<V>(one.specular), all.specular);
+      shininess = select(on, V(one.shininess.value), shininess);
+      all.shiny = all.shiny | (on & one.shiny), all.reflects = all.reflects | (on & one.reflects);
       left = left & !on;
     }
+    all.shininess = Exponent<V>(shininess);
     return all;
   }
 }
@@ -178,11 +185,12 @@ LampTerms<V> reach(const Plan<R>& plan, const Lamp<R>& lamp, const Hit<V>& hit,
 /// What the surface answers to a lamp's light: D and S at a hit seen from the direction `eye`
 /// (unit, towards the eye).
 template <Value V, class T>
-void answer(const Hit<V>& hit, const Mask<V>& may_shine, const Exponent<V>& shininess,
-            const Vec<V>& eye, const T& task, LampTerms<V>& one, Doubt<V>* doubt = nullptr) {
+void answer(const Hit<V>& hit, const Finish<V>& finish, const Vec<V>& eye, const T& task,
+            LampTerms<V>& one, Doubt<V>* doubt = nullptr) {
   using R = Scalar<V>;
   const Incident<V>& light = one.light;
-  const Mask<V> shiny = one.lit & may_shine;
+  const Mask<V> shiny = one.lit & finish.shiny;
+  const Exponent<V>& shininess = finish.shininess;
   const bool powers = any_of(shiny) || task.everything;
   if (none_of(one.lit) && !powers) return;
   if (task.counts && powers) {
@@ -204,7 +212,7 @@ LampTerms<R> lamp_terms(const Plan<R>& plan, const Lamp<R>& lamp, const Hit<R>& 
   const Finish<R> finish = finish_of(plan, hit);
   const Task task = task_of(plan);
   LampTerms<R> one = reach(plan, lamp, hit, finish.reflects, &kEverything, task);
-  answer(hit, finish.shiny, Exponent<R>(finish.shininess), eye, task, one);
+  answer(hit, finish, eye, task, one);
   return one;
 }
 
@@ -245,8 +253,7 @@ struct Edges {
 template <std::size_t kBatch, Real R, Value V, class T>
 [[gnu::noinline, gnu::flatten]] LightTerms<V> terms_of_lamps(
     const Plan<R>& plan, const Source<R>& source, const Hit<V>& hit, const Finish<V>& finish,
-    const Exponent<V>& shininess, const Vec<V>& eye, const Suspects* suspects, const T& task,
-    Doubt<V>* doubt) {
+    const Vec<V>& eye, const Suspects* suspects, const T& task, Doubt<V>* doubt) {
   LightTerms<V> total;
   Edges<V> edges;
   if (task.edges) edges.start(hit);
@@ -254,24 +261,30 @@ template <std::size_t kBatch, Real R, Value V, class T>
   Doubt<V> doubtful = false;
   Doubt<V>* const doubts = T::kDoubts ? &doubtful : nullptr;
   // Several lamps step by step: the processor works on one while it waits for another.
-  const Mask<V> reflects = finish.reflects, shiny = finish.shiny;
+  const Mask<V> reflects = finish.reflects;
   const std::size_t count = source.lamps.size();
   LampTerms<V> batch[kBatch];
   for (std::size_t first = 0; first < count; first += kBatch) {
     const std::size_t length = std::min(kBatch, count - first);
     for (std::size_t k = 0; k < length; ++k)
       batch[k] = reach(plan, source.lamps[first + k], hit, reflects, suspects, task, doubts);
-    for (std::size_t k = 0; k < length; ++k)
-      answer(hit, shiny, shininess, eye, task, batch[k], doubts);
+    for (std::size_t k = 0; k < length; ++k) answer(hit, finish, eye, task, batch[k], doubts);
     for (std::size_t k = 0; k < length; ++k) {
-      diffuse.add(batch[k].terms.diffuse);
-      specular.add(batch[k].terms.specular);
+      if (count > 1) {
+        diffuse.add(batch[k].terms.diffuse);
+        specular.add(batch[k].terms.specular);
+      } else {
+        total.diffuse = widen(batch[k].terms.diffuse);
+        total.specular = widen(batch[k].terms.specular);
+      }
       if (task.sample_code) total.unoccluded += widen(select(batch[k].lit, V(R(1)), V(R(0))));
       if (task.edges) edges.add(batch[k]);
     }
   }
-  total.diffuse = diffuse.value() * Sum<V>(source.weight);
-  total.specular = specular.value() * Sum<V>(source.weight);
+  if (count > 1) {
+    total.diffuse = diffuse.value() * Sum<V>(source.weight);
+    total.specular = specular.value() * Sum<V>(source.weight);
+  }
   if (task.edges) {
     total.signature = edges.signature;
     for (int i = 0; i < kLanes<V>; ++i) at_lane(total.flags, i) = edges.flags(i);
@@ -284,8 +297,8 @@ template <std::size_t kBatch, Real R, Value V, class T>
 /// lamps only those nearby can be hidden from it.
 template <Real R, Value V, class T>
 LightTerms<V> light_terms(const Plan<R>& plan, const Source<R>& source, const Hit<V>& hit,
-                          const Finish<V>& finish, const Exponent<V>& shininess, const Vec<V>& eye,
-                          const Suspects& nearby, const T& task) {
+                          const Finish<V>& finish, const Vec<V>& eye, const Suspects& nearby,
+                          const T& task) {
   // One look at all that may be in the way pays off for several lamps.
   const bool cull = plan.shadows && !task.everything && source.lamps.size() > 3;
   Suspects found;
@@ -293,8 +306,7 @@ LightTerms<V> light_terms(const Plan<R>& plan, const Source<R>& source, const Hi
   const Suspects* suspects = cull ? &found : &nearby;
   if (suspects->empty()) suspects = nullptr;
   const auto all_lamps = [&]<std::size_t kBatch>(const auto& asked, Doubt<V>& doubt) {
-    return terms_of_lamps<kBatch>(plan, source, hit, finish, shininess, eye, suspects, asked,
-                                  &doubt);
+    return terms_of_lamps<kBatch>(plan, source, hit, finish, eye, suspects, asked, &doubt);
   };
   Doubt<V> doubt = false;
   if constexpr (T::kDoubts) {
@@ -313,8 +325,7 @@ template <Real R>
 LightTerms<R> light_terms(const Plan<R>& plan, const Source<R>& source, const Hit<R>& hit,
                           const Vec<R>& eye) {
   const Finish<R> finish = finish_of(plan, hit);
-  return light_terms(plan, source, hit, finish, Exponent<R>(finish.shininess), eye, kEverything,
-                     task_of(plan));
+  return light_terms(plan, source, hit, finish, eye, kEverything, task_of(plan));
 }
 
 /// Slide 5 for one light: kd Id D + ks Is S per channel; the sample code adds A for each lamp in

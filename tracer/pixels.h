@@ -32,7 +32,7 @@ struct Seen {
 template <Value V>
 struct Shot {
   Hit<V> hit;
-  Vec<V> eye;  ///< unit, towards the eye; unset if nothing is hit
+  Vec<V> eye;  ///< unit, towards the eye; unset where nothing shines
 };
 
 /// Calls visit(layer, seen) for each layer that shows anything in a shot, and for all if edges are
@@ -51,11 +51,10 @@ void show(const Plan<R>& plan, const Shot<V>& shot, const Suspects* suspects, co
     return;
   }
   const Finish<V> finish = finish_of(plan, hit);
-  const Exponent<V> shininess(finish.shininess);
   if (!task.sample_code) seen.color = widen(finish.ambient) * Vec<Sum<V>>(widen(plan.ambient));
   visit(std::size_t(0), seen);
   for (std::size_t k = 0; k < plan.sources.size(); ++k) {
-    const LightTerms<V> terms = light_terms(plan, plan.sources[k], hit, finish, shininess, shot.eye,
+    const LightTerms<V> terms = light_terms(plan, plan.sources[k], hit, finish, shot.eye,
                                             suspects ? suspects[k] : kEverything, task);
     seen.color = light_color(plan, plan.sources[k], finish, terms);
     if (task.edges) {
@@ -157,7 +156,7 @@ void render_stretch(const Plan<R>& plan, const RenderOptions& options, const T& 
           find_closest(plan, ray, row.spans[std::size_t(j)], across, shot.hit);
         }
         shot.hit.object = select(column < R(view.width), shot.hit.object, Index<V>(-1));
-        shot.eye = -normalize<Divide::Once>(ray.direction);
+        if (plan.specular) shot.eye = -normalize<Divide::Once>(ray.direction);
       }
       const Suspects* const suspects = suspects_of(plan, task, count, row);
       for (int k = 0; k < count; ++k) {

@@ -134,7 +134,7 @@ Ball<R> ball_of(const std::vector<Lamp<R>>& lamps) {
 
 template <Real R>
 Finish<R> finish_from(const Material& material, const Effects& effects, bool sample_code) {
-  Finish<R> finish{Vec<R>(material.ambient), {}, {}, R(material.shininess)};
+  Finish<R> finish{Vec<R>(material.ambient), {}, {}, Exponent<R>(R(material.shininess))};
   if (effects.diffuse) finish.diffuse = Vec<R>(material.diffuse);
   if (effects.specular) finish.specular = Vec<R>(material.specular);
   finish.shiny = finish.specular != Vec<R>{};
@@ -173,6 +173,7 @@ Plan<R> lower(const Scene& scene, const Effects& effects) {
   if (!effects.supersampling) plan.view.samples = 1;
   plan.shadows = scene.shadows && effects.shadows;
   plan.idle_shadows = effects.shadows && effects.everywhere && !plan.shadows;
+  plan.specular = effects.specular;
   plan.everything = effects.everywhere;
   plan.sample_code = scene.shading == Shading::SampleCode;
   if (effects.ambient) plan.ambient = Vec<R>(scene.ambient);

@@ -9,6 +9,7 @@
 #include "tracer/bvh.h"
 #include "tracer/effects.h"
 #include "tracer/lights.h"
+#include "tracer/shade.h"
 
 namespace litmus {
 
@@ -32,7 +33,7 @@ struct TriangleInfo {
 template <Value V>
 struct Finish {
   Vec<V> ambient, diffuse, specular;
-  V shininess{};
+  Exponent<V> shininess;
   Mask<V> shiny = false;     ///< ks is not 0
   Mask<V> reflects = false;  ///< kd or ks is not 0 (in the sample code's reading, always)
 };
@@ -67,6 +68,7 @@ struct Plan {
   std::vector<Finish<R>> finishes;   ///< per object
   std::vector<Source<R>> sources;    ///< per light
   Vec<R> ambient;                    ///< Ia: the scene's and every light's, added once
+  bool specular = true;              ///< some surface may shine: half vectors are asked for
   bool smooth = false;               ///< some normal is not that of its surface
   bool shadows = true;
   bool sample_code = false;

@@ -35,6 +35,10 @@ struct Exponent {
   bool broad = true;      ///< some lane is below 3
 
   Exponent() = default;
+  /// One lane's for all of them.
+  template <Real R>
+  requires(kLanes<V> > 1) explicit Exponent(const Exponent<R>& one)
+      : value(one.value), whole(one.whole), shared(one.shared), broad(one.broad) {}
   Exponent(const V& value) : value(value) {
     using R = Scalar<V>;
     broad = any_of(value < R(3));
