@@ -126,8 +126,8 @@ void add_cost(Program& program) {
               "Pixels, instead of the scene's width or 96, whichever is less")
       .between(1, 1024);
   command.footer(
-      "Examples: litmus cost r3-area-umbra --references --out cost\n"
-      "          litmus cost --peers");
+      "Example: litmus cost r3-area-umbra --references --out cost\n"
+      "         litmus cost --peers");
   command.on_run([options] { return run_cost(*options); });
 }
 
