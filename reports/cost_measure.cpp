@@ -9,15 +9,9 @@
 namespace litmus {
 namespace {
 
-constexpr int kRepeats = 7, kFewRepeats = 3;
+constexpr int kWidth = 96, kQuickWidth = 48;
 constexpr double kLong = 1;         // seconds: such settings are repeated less often
 constexpr double kUnsteady = 0.05;  // of the least time
-
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t half = values.size() / 2;
-  return values.size() % 2 ? values[half] : (values[half - 1] + values[half]) / 2;
-}
 
 double seconds_of(const CostJob& job) {
   const double start = cpu_seconds();
@@ -65,6 +59,20 @@ CostTruth converged(const Rendering& coarse, const Rendering& fine, double share
   return truth;
 }
 
+Scene cost_sized(Scene scene, const CostOptions& options) {
+  int width = options.width;
+  if (width == 0) width = std::min(scene.width, options.quick ? kQuickWidth : kWidth);
+  scene.height = std::max(1, int(std::lround(double(scene.height) * width / scene.width)));
+  scene.width = width;
+  return scene;
+}
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const std::size_t half = values.size() / 2;
+  return values.size() % 2 ? values[half] : (values[half - 1] + values[half]) / 2;
+}
+
 CostTime time_of(std::vector<double> seconds) {
   CostTime time;
   if (seconds.empty()) return time;
@@ -90,15 +98,15 @@ void measure(CostTopic& topic, const std::vector<CostJob>& jobs, const CostTruth
         if (wanted(i)) seconds[i].push_back(seconds_of(jobs[i]));
   };
   const auto is_long = [&](std::size_t i) { return !seconds[i].empty() && seconds[i][0] > kLong; };
-  take_turns(kFewRepeats, [](std::size_t) { return true; });
+  take_turns(kFewCostRepeats, [](std::size_t) { return true; });
   if (!options.quick) {
-    take_turns(kRepeats - kFewRepeats, [&](std::size_t i) { return !is_long(i); });
+    take_turns(kCostRepeats - kFewCostRepeats, [&](std::size_t i) { return !is_long(i); });
     std::vector<bool> unsteady(jobs.size());
     for (std::size_t i = 0; i < jobs.size(); ++i) {
       const CostTime time = time_of(seconds[i]);
       unsteady[i] = !is_long(i) && time.spread > kUnsteady * time.least;
     }
-    take_turns(kRepeats, [&](std::size_t i) { return unsteady[i]; });
+    take_turns(kCostRepeats, [&](std::size_t i) { return unsteady[i]; });
   }
   for (std::size_t i = 0; i < jobs.size(); ++i) point_of(jobs[i]).time = time_of(seconds[i]);
 }

@@ -31,6 +31,16 @@ CostFigures figures(const Picture& picture, const CostTruth& truth);
 /// The finer of two pictures as the truth; its own error is `share` of their difference.
 CostTruth converged(const Rendering& coarse, const Rendering& fine, double share);
 
+/// How often settings are measured in turn; --quick, and those that take over a second: less.
+inline constexpr int kCostRepeats = 7, kFewCostRepeats = 3;
+
+/// The scene at the width that costs are measured at: the options', else its own or 96 (--quick:
+/// 48), whichever is less.
+Scene cost_sized(Scene scene, const CostOptions& options);
+
+/// Of some values; of an even number the mean of the two in the middle. There is one.
+double median(std::vector<double> values);
+
 /// Least, median and median absolute deviation.
 CostTime time_of(std::vector<double> seconds);
 

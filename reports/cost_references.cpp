@@ -11,8 +11,6 @@
 namespace litmus {
 namespace {
 
-constexpr int kReferenceRepeats = 7, kQuickRepeats = 3;
-
 /// One setting of a renderer.
 struct Setting {
   double knob;
@@ -57,7 +55,7 @@ void add_series(CostSeries series, const Driver& driver, const std::vector<Setti
   std::vector<Scene> scenes;
   for (const Setting& setting : settings) scenes.push_back(setting.scene);
   std::vector<std::vector<double>> seconds(settings.size());
-  for (int repeat = 0; repeat < (options.quick ? kQuickRepeats : kReferenceRepeats); ++repeat) {
+  for (int repeat = 0; repeat < (options.quick ? kFewCostRepeats : kCostRepeats); ++repeat) {
     const auto start = std::chrono::steady_clock::now();
     const std::vector<ReferenceResult> results = run(driver, *installed, scenes, options);
     const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;

@@ -14,8 +14,6 @@
 namespace litmus {
 namespace {
 
-constexpr int kWidth = 96, kQuickWidth = 48;
-
 bool has_area_light(const Scene& scene) {
   return std::any_of(scene.lights.begin(), scene.lights.end(), [](const Light& light) {
     return std::holds_alternative<AreaLight>(light.shape);
@@ -23,10 +21,7 @@ bool has_area_light(const Scene& scene) {
 }
 
 Scene resized(Scene scene, const CostOptions& options) {
-  int width = options.width;
-  if (width == 0) width = std::min(scene.width, options.quick ? kQuickWidth : kWidth);
-  scene.height = std::max(1, int(std::lround(double(scene.height) * width / scene.width)));
-  scene.width = width;
+  scene = cost_sized(std::move(scene), options);
   scene.samples = 1;
   return scene;
 }

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 
 #include "reports/cost_measure.h"
@@ -13,9 +12,6 @@
 
 namespace litmus {
 namespace {
-
-constexpr int kEffectWidth = 96, kQuickEffectWidth = 48, kEffectRepeats = 7,
-              kQuickEffectRepeats = 3;
 
 bool same_pixels(const Picture& a, const Picture& b) {
   return a.pixels.size() == b.pixels.size() &&
@@ -31,16 +27,14 @@ double timed(const Scene& scene, const Effects& effects) {
 }
 
 EffectUse use_of(Scene scene, const CostOptions& options) {
-  const int width = std::min(scene.width, options.quick ? kQuickEffectWidth : kEffectWidth);
-  scene.height = std::max(1, int(std::lround(double(scene.height) * width / scene.width)));
-  scene.width = width;
+  scene = cost_sized(std::move(scene), options);
   EffectUse use{.scene = scene.name, .called_for = effects_of(scene)};
   const Rendering needed = render(scene, {.effects = use.called_for, .counts = true}),
                   all = render(scene, {.effects = all_effects(), .counts = true});
   use.needed = needed.counts, use.all = all.counts;
   use.identical = same_bits(needed, all);
   std::vector<double> needed_seconds, all_seconds;
-  for (int i = 0; i < (options.quick ? kQuickEffectRepeats : kEffectRepeats); ++i) {
+  for (int i = 0; i < (options.quick ? kFewCostRepeats : kCostRepeats); ++i) {
     needed_seconds.push_back(timed(scene, use.called_for));
     all_seconds.push_back(timed(scene, all_effects()));
   }
@@ -76,8 +70,8 @@ std::string effects_sentence(const std::vector<EffectUse>& uses) {
   return fmt::format(
       "Every effect everywhere takes {} times as long as what a scene calls for ({} to {}; median "
       "of {}); {} bit by bit the same.",
-      short_number(savings[savings.size() / 2]), short_number(savings.front()),
-      short_number(savings.back()), counted((long long)(uses.size()), "scene", "scenes"),
+      short_number(median(savings)), short_number(savings.front()), short_number(savings.back()),
+      counted((long long)(uses.size()), "scene", "scenes"),
       same == std::ssize(uses) ? "all pictures are" : fmt::format("only {} pictures are", same));
 }
 

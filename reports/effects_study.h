@@ -9,10 +9,9 @@
 
 namespace litmus {
 
-/// Each scene with the effects that it calls for, and with every effect everywhere (effects.h), as
-/// cost_study.h says: the scene's width or 96, whichever is less (quick: 48); one thread; 7 times
-/// in turn (quick: 3). The times are those of a
-/// picture alone, with making the scene ready; the pictures compared have every layer.
+/// Each scene with the effects that it calls for, and with every effect everywhere (effects.h), at
+/// the size and as often as cost_measure.h says, in one thread. The times are those of a picture
+/// alone, with making the scene ready; the pictures compared have every layer.
 std::vector<EffectUse> measure_effects(std::span<const Scene> scenes, const CostOptions& options);
 
 /// Whether two renderings hold the same bits: the whole and every layer.

@@ -3,6 +3,7 @@
 
 #include "reports/counted.h"
 #include "reports/peers.h"
+#include "reports/rates.h"
 #include "scene/picture.h"
 #include "scene/scene.h"
 
@@ -32,9 +33,10 @@ Operations counted_operations(const Scene& scene, Picture* picture = nullptr);
 /// The least time for the operations of the picture in double precision, counted (counted.h), at
 /// the rates that this processor reaches (rates.h): nothing waits for anything, comparisons and
 /// memory are free. Multiplications and additions are fused only where the formulas ask for it.
-Entrant limit_entrant(const Scene& scene);
-/// "The limit: ... a pixel, at ... a second", or nothing where there is none.
-std::vector<std::string> limit_notes(const Scene& scene);
+Entrant limit_entrant(const Operations& operations, const ArithmeticRates& rates);
+/// The operations of a pixel and the rates, in words; nothing where there are no rates.
+std::vector<std::string> limit_notes(const Operations& operations, const ArithmeticRates& rates,
+                                     double pixels);
 
 /// POV-Ray, a square stage (stage.h) under light_source blocks, one thread: the processor time of
 /// tracing that it prints, in steps of a millisecond, without parsing and start-up.

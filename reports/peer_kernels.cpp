@@ -4,9 +4,7 @@
 #include <algorithm>
 #include <memory>
 
-#include "reports/counted.h"
 #include "reports/peer_entrants.h"
-#include "reports/rates.h"
 #include "tracer/cpu_clock.h"
 #include "tracer/kernel.h"
 #include "tracer/pixels.h"
@@ -73,26 +71,23 @@ Operations counted_operations(const Scene& scene, Picture* picture) {
   return Counted::tally;
 }
 
-Entrant limit_entrant(const Scene& scene) {
+Entrant limit_entrant(const Operations& operations, const ArithmeticRates& rates) {
   const std::string name = "its operations, counted, at this processor's rates";
-  if (arithmetic_rates().sums == 0)
-    return {name, {}, "no rates for this processor: it has no AVX2"};
-  const Operations operations = counted_operations(scene);
+  if (rates.sums == 0) return {name, {}, "no rates for this processor: it has no AVX2"};
+  // Measured anew each time: a busy machine slows them as it does the picture.
   return {name, [=] { return limit_seconds(operations, arithmetic_rates()); }};
 }
 
-std::vector<std::string> limit_notes(const Scene& scene) {
-  const ArithmeticRates rates = arithmetic_rates();
+std::vector<std::string> limit_notes(const Operations& operations, const ArithmeticRates& rates,
+                                     double pixels) {
   if (rates.sums == 0) return {};
-  const Operations counted = counted_operations(scene);
-  const double pixels = double(scene.width) * scene.height, giga = 1e9;
-  return {
-      fmt::format("Counted: {:.0f} sums and products, {:.1f} divisions, {:.1f} roots a pixel.",
-                  double(counted.sums + counted.fused) / pixels, double(counted.divisions) / pixels,
-                  double(counted.roots) / pixels),
-      fmt::format("Rates: {:.0f}, {:.1f} and {:.1f} thousand million a second. The ratio is the "
-                  "share of them that is reached.",
-                  rates.sums / giga, rates.divisions / giga, rates.roots / giga)};
+  constexpr double kGiga = 1e9;
+  return {fmt::format("Counted: {:.0f} sums and products, {:.1f} divisions, {:.1f} roots a pixel.",
+                      double(operations.sums + operations.fused) / pixels,
+                      double(operations.divisions) / pixels, double(operations.roots) / pixels),
+          fmt::format("Rates: {:.0f}, {:.1f} and {:.1f} thousand million a second. The ratio is "
+                      "the share of them that is reached.",
+                      rates.sums / kGiga, rates.divisions / kGiga, rates.roots / kGiga)};
 }
 
 }  // namespace litmus

@@ -10,6 +10,7 @@
 #include "compare/whole_file.h"
 #include "exporters/area_grid.h"
 #include "exporters/blender.h"
+#include "exporters/povray_parts.h"
 #include "reference/drivers.h"
 #include "reference/frames.h"
 #include "reference/povray_driver.h"
@@ -20,8 +21,7 @@ namespace litmus {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string pov(const glm::dvec3& p) { return fmt::format("<{},{},{}>", p.x, p.y, p.z); }
+using povray::vector_text;
 
 /// The installed program, or why there is none.
 Entrant missing_or(const Driver& driver, Entrant entrant) {
@@ -33,7 +33,10 @@ Entrant missing_or(const Driver& driver, Entrant entrant) {
 
 // ---- POV-Ray ---------------------------------------------------------------------------------
 
-constexpr std::string_view kPovrayFade = "fade_distance 10 fade_power 2";
+/// Quadratic attenuation as POV-Ray has it: twice R^2 / (R^2 + d^2), which costs the same.
+std::string fade(const PointLight& point) {
+  return fmt::format("fade_distance {} fade_power 2", point.attenuation.range);
+}
 
 double trace_with_povray(const fs::path& folder, const std::string& text, int size) {
   fs::create_directories(folder);
@@ -110,32 +113,29 @@ std::string povray_stage(const Scene& scene) {
       "camera {{ perspective location {} right -x up y sky z angle {} look_at {} }}\n"
       "#default {{ texture {{ pigment {{ rgb 1 }}\n"
       "  finish {{ ambient 0 diffuse {} specular {} roughness {} }} }} }}\n",
-      pov(camera.eye), glm::degrees(camera.fov), pov(camera.target), finish.diffuse.r,
-      finish.specular.r, 1 / finish.shininess);
+      vector_text(camera.eye), glm::degrees(camera.fov), vector_text(camera.target),
+      finish.diffuse.r, finish.specular.r, 1 / finish.shininess);
   for (const Object& object : scene.objects) {
     if (const auto* sphere = std::get_if<Sphere>(&object.shape)) {
-      text += fmt::format("sphere {{ {}, {} }}\n", pov(sphere->center), sphere->radius);
+      text += fmt::format("sphere {{ {}, {} }}\n", vector_text(sphere->center), sphere->radius);
     } else if (const auto* box = std::get_if<Box>(&object.shape)) {
-      text += fmt::format("box {{ {}, {} }}\n", pov(box->min), pov(box->max));
+      text += fmt::format("box {{ {}, {} }}\n", vector_text(box->min), vector_text(box->max));
     } else if (const auto* plane = std::get_if<Plane>(&object.shape)) {
-      text +=
-          fmt::format("plane {{ {}, {} }}\n", pov(plane->normal), dot(plane->normal, plane->point));
+      text += fmt::format("plane {{ {}, {} }}\n", vector_text(plane->normal),
+                          dot(plane->normal, plane->point));
     }
   }
   return text;
 }
 
 std::string povray_lamps(const Scene& scene) {
-  std::vector<Point> lamps;
-  if (const auto* area = std::get_if<AreaLight>(&scene.lights.at(0).shape)) {
-    lamps = area_samples(*area);
-  } else {
-    lamps = {std::get<PointLight>(scene.lights[0].shape).origin};
-  }
+  const auto* area = std::get_if<AreaLight>(&scene.lights.at(0).shape);
+  const PointLight& point = area ? area->point : std::get<PointLight>(scene.lights[0].shape);
+  const std::vector<Point> lamps = area ? area_samples(*area) : std::vector{point.origin};
   std::string text;
   for (const Point& lamp : lamps) {
-    text +=
-        fmt::format("light_source {{ {}, rgb 1/{} {} }}\n", pov(lamp), lamps.size(), kPovrayFade);
+    text += fmt::format("light_source {{ {}, rgb 1/{} {} }}\n", vector_text(lamp), lamps.size(),
+                        fade(point));
   }
   return text;
 }
@@ -144,8 +144,9 @@ std::string povray_area_light(const Scene& scene) {
   const AreaLight& area = std::get<AreaLight>(scene.lights.at(0).shape);
   const GridAxes axes = grid_axes(area);
   return fmt::format("light_source {{ {}, rgb 1 {}\n  area_light {}, {}, {}, {} }}\n",
-                     pov(area.point.origin), kPovrayFade, pov(area.width * axes.right),
-                     pov(area.height * axes.up), area.columns, area.rows);
+                     vector_text(area.point.origin), fade(area.point),
+                     vector_text(area.width * axes.right), vector_text(area.height * axes.up),
+                     area.columns, area.rows);
 }
 
 Entrant povray_entrant(const std::string& name, const Scene& scene, const std::string& lights,

@@ -6,48 +6,47 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "reports/cost_measure.h"
 #include "reports/peer_entrants.h"
 #include "reports/stage.h"
 
 namespace litmus {
 namespace {
 
-double middle_of(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t half = values.size() / 2;
-  return values.size() % 2 ? values[half] : (values[half - 1] + values[half]) / 2;
+/// A lit picture by litmus, by others, and by what its arithmetic allows.
+PeerTask picture_task(const std::string& name, const std::string& title, const Scene& scene,
+                      const std::vector<Entrant>& others, const PeerOptions& options) {
+  std::vector<Entrant> entrants = kernel_entrants(scene);
+  entrants.insert(entrants.end(), others.begin(), others.end());
+  const double pixels = double(scene.width) * scene.height;
+  const Operations operations = counted_operations(scene);
+  const ArithmeticRates rates = arithmetic_rates();
+  entrants.push_back(limit_entrant(operations, rates));
+  return take_turns({name,
+                     fmt::format("{}, {} x {}", title, scene.width, scene.height),
+                     "pixel",
+                     pixels,
+                     {},
+                     limit_notes(operations, rates, pixels)},
+                    entrants, options);
 }
 
 PeerTask point_task(int size, const PeerOptions& options) {
   const Scene scene = point_stage(size);
-  std::vector<Entrant> entrants = kernel_entrants(scene);
-  entrants.push_back(povray_entrant("POV-Ray", scene, povray_lamps(scene), options));
-  entrants.push_back(cycles_entrant(scene, options));
-  entrants.push_back(limit_entrant(scene));
-  return take_turns({"point",
-                     fmt::format("Point light with quadratic attenuation, {0} x {0}", size),
-                     "pixel",
-                     double(size) * size,
-                     {},
-                     limit_notes(scene)},
-                    entrants, options);
+  return picture_task("point", "Point light with quadratic attenuation", scene,
+                      {povray_entrant("POV-Ray", scene, povray_lamps(scene), options),
+                       cycles_entrant(scene, options)},
+                      options);
 }
 
 PeerTask area_task(int size, const PeerOptions& options) {
   const Scene scene = area_stage(size, 8);
-  std::vector<Entrant> entrants = kernel_entrants(scene);
-  entrants.push_back(
-      povray_entrant("POV-Ray, 64 light sources", scene, povray_lamps(scene), options));
-  entrants.push_back(povray_entrant("POV-Ray, area_light 8 x 8 (shades from its centre)", scene,
-                                    povray_area_light(scene), options));
-  entrants.push_back(limit_entrant(scene));
-  return take_turns({"area",
-                     fmt::format("Area light of 8 x 8 samples, {0} x {0}", size),
-                     "pixel",
-                     double(size) * size,
-                     {},
-                     limit_notes(scene)},
-                    entrants, options);
+  return picture_task(
+      "area", "Area light of 8 x 8 samples", scene,
+      {povray_entrant("POV-Ray, 64 light sources", scene, povray_lamps(scene), options),
+       povray_entrant("POV-Ray, area_light 8 x 8 (shades from its centre)", scene,
+                      povray_area_light(scene), options)},
+      options);
 }
 
 }  // namespace
@@ -63,7 +62,7 @@ PeerRatio PeerTask::ratio(const PeerRow& row) const {
     ratios.push_back(row.seconds[i] / first[i]);
   if (ratios.empty()) return {};
   const auto [least, most] = std::minmax_element(ratios.begin(), ratios.end());
-  return {middle_of(ratios), *least, *most};
+  return {median(ratios), *least, *most};
 }
 
 PeerTask take_turns(PeerTask task, const std::vector<Entrant>& entrants,

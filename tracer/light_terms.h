@@ -270,6 +270,7 @@ template <std::size_t kBatch, Real R, Value V, class T>
       batch[k] = reach(plan, source.lamps[first + k], hit, reflects, suspects, task, doubts);
     for (std::size_t k = 0; k < length; ++k) answer(hit, finish, eye, task, batch[k], doubts);
     for (std::size_t k = 0; k < length; ++k) {
+      // The sum of one is that one, for which nothing needs to be carried along.
       if (count > 1) {
         diffuse.add(batch[k].terms.diffuse);
         specular.add(batch[k].terms.specular);

@@ -126,7 +126,7 @@ const Suspects* suspects_of(const Plan<R>& plan, const T& task, int count, Row<V
   if (!plan.shadows || task.everything) return nullptr;
   RegionOf<V> points;
   for (int k = 0; k < count; ++k) points.add(row.shots[k].hit);
-  const Region region = points.region();
+  const HitRegion region = points.region();
   for (std::size_t i = 0; i < plan.sources.size() && !region.empty; ++i)
     find_suspects(plan, plan.sources[i], region, row.suspects[i]);
   return row.suspects.data();

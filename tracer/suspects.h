@@ -15,7 +15,7 @@ namespace litmus {
 // ---- Many hits -------------------------------------------------------------------------------
 
 /// Where some hits lie.
-struct Region {
+struct HitRegion {
   Vec<double> min, max;
   double coordinate = 0;  ///< bounds those that the points were computed from
   int object = -1;        ///< that all of them are on; -1 if there are several
@@ -46,8 +46,8 @@ struct RegionOf {
     inside = inside | (seen & hit.inside);
   }
 
-  Region region() const {
-    Region all;
+  HitRegion region() const {
+    HitRegion all;
     double low = std::numeric_limits<double>::infinity(), high = -low;
     all.min = {low, low, low}, all.max = {high, high, high};
     for (int i = 0; i < kLanes<V>; ++i) {
@@ -75,7 +75,7 @@ struct Hull {
   double radius = 0, lamps = 0;     ///< of the balls around the region and around the lamps
   Vec<double> min, max;             ///< of the hull
   double unit = 0, coordinate = 0;  ///< rounding error, and the largest coordinate
-  const Region* region;
+  const HitRegion* region;
 
   double margin(double farthest) const { return 1024 * unit * (coordinate + farthest); }
 
@@ -144,7 +144,7 @@ PlaneSurface<double> in_double(const PlaneSurface<R>& plane) {
 }
 
 template <Real R>
-Hull hull_of(const Region& region, const Source<R>& source) {
+Hull hull_of(const HitRegion& region, const Source<R>& source) {
   Hull hull;
   hull.region = &region;
   hull.unit = std::max(double(kUnit<R>), kUnit<double>);
@@ -187,7 +187,7 @@ void list_parts(const Parts& parts, const ShortList& among, const May& may, Shor
 
 /// Finds the surfaces that may hide a lamp of the light from a point of the region.
 template <Real R>
-void find_suspects(const Plan<R>& plan, const Source<R>& source, const Region& region,
+void find_suspects(const Plan<R>& plan, const Source<R>& source, const HitRegion& region,
                    Suspects& suspects) {
   if (region.empty || source.lamps.empty()) {
     suspects = {};

@@ -19,7 +19,7 @@ int lights(const std::string& text) {
 }
 
 TEST(PovrayLamps, AreOneForEachSample) {
-  EXPECT_THAT(povray_lamps(point_stage(8)), HasSubstr("light_source { <4,-4,6>, rgb 1/1 "));
+  EXPECT_THAT(povray_lamps(point_stage(8)), HasSubstr("light_source { <4, -4, 6>, rgb 1/1 "));
   EXPECT_EQ(lights(povray_lamps(area_stage(8, 8))), 64);
   EXPECT_THAT(povray_lamps(area_stage(8, 8)), HasSubstr("rgb 1/64 "));
 }
@@ -32,9 +32,9 @@ TEST(PovrayAreaLight, IsOneLightWithAGrid) {
 
 TEST(PovrayStage, HasTheSolidsAndTheFinishOfTheScene) {
   const std::string text = povray_stage(stage(8));
-  EXPECT_THAT(text, HasSubstr("sphere { <0.2,-1.5,0.5>, 0.5 }"));
-  EXPECT_THAT(text, HasSubstr("box { <2,-1,0>, <2.8,0,1.2> }"));
-  EXPECT_THAT(text, HasSubstr("plane { <0,0,1>, 0 }"));
+  EXPECT_THAT(text, HasSubstr("sphere { <0.2, -1.5, 0.5>, 0.5 }"));
+  EXPECT_THAT(text, HasSubstr("box { <2, -1, 0>, <2.8, 0, 1.2> }"));
+  EXPECT_THAT(text, HasSubstr("plane { <0, 0, 1>, 0 }"));
   EXPECT_THAT(text, HasSubstr("diffuse 0.7 specular 0.3 roughness 0.025 "));
 }
 

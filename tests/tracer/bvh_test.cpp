@@ -49,7 +49,7 @@ TEST(Bvh, HoldsEveryTriangleOnce) {
   EXPECT_EQ(std::count(times.begin(), times.end(), 1), 1000);
 }
 
-TEST(Bvh, FillsMostPlacesOfItsNodesAndBlocks) {
+TEST(Bvh, FillsHalfOfItsBlocksAndAThirdOfItsNodes) {
   const auto bvh = build_bvh(random_triangles(1000));
   EXPECT_LT(bvh.blocks.size() * kWide, 1000 * 2);
   EXPECT_LT(bvh.nodes.size() * kWide, (bvh.blocks.size() + bvh.nodes.size()) * 3);
