@@ -3,10 +3,8 @@
 
 namespace litmus {
 
-#ifdef LITMUS_X86_TARGETS
 PacketKernel packet_kernel_avx2();
 PacketKernel packet_kernel_avx512();
-#endif
 
 namespace {
 
@@ -18,8 +16,10 @@ namespace {
 
 std::vector<PacketKernel> find_kernels() {
   std::vector<PacketKernel> kernels;
-#ifdef LITMUS_X86_TARGETS
+#ifdef LITMUS_KERNEL_avx512
   if (__builtin_cpu_supports("x86-64-v4")) add(kernels, "avx512", packet_kernel_avx512());
+#endif
+#ifdef LITMUS_KERNEL_avx2
   if (__builtin_cpu_supports("x86-64-v3")) add(kernels, "avx2", packet_kernel_avx2());
 #endif
   return kernels;
