@@ -23,9 +23,9 @@ void for_each_ray(const View<double>& view, Visit visit) {
       visit(camera_ray(view, screen<double>(x, view.width), -screen<double>(y, view.height)));
 }
 
-template <class T>
-double bytes_of(const std::vector<T>& list) {
-  return double(list.size() * sizeof(T));
+template <class List>
+double bytes_of(const List& list) {
+  return double(list.size() * sizeof(typename List::value_type));
 }
 
 }  // namespace

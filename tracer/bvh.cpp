@@ -117,6 +117,7 @@ template <Real R>
 struct Widener {
   const Builder<R>& binary;
   const std::vector<std::array<Vec<R>, 3>>& triangles;
+  const std::vector<int>& objects;
   Bvh<R> bvh;
 
   R half_area(std::uint32_t node) const {
@@ -149,6 +150,7 @@ struct Widener {
       if (place == 0) bvh.blocks.emplace_back();
       TriangleBlock<R>& block = bvh.blocks.back();
       block.numbers[place] = binary.order[leaf.first + i];
+      block.objects[place] = std::uint32_t(objects[block.numbers[place]]);
       for (int k = 0; k < 3; ++k) {
         const Vec<R>& corner = triangles[block.numbers[place]][std::size_t(k)];
         for (int axis = 0; axis < 3; ++axis) block.corners[k][axis][place] = corner[axis];
@@ -171,8 +173,8 @@ struct Widener {
       }
       if (empty) continue;
       const BinaryNode<R>& node = binary.nodes[places[k]];
-      wide.count[k] = node.count;
-      wide.first[k] = node.count > 0 ? add_blocks(node) : add_node(opened(places[k]));
+      wide.children[k].count = node.count;
+      wide.children[k].first = node.count > 0 ? add_blocks(node) : add_node(opened(places[k]));
     }
     bvh.nodes[number] = wide;
     return number;
@@ -182,7 +184,8 @@ struct Widener {
 }  // namespace
 
 template <Real R>
-Bvh<R> build_bvh(const std::vector<std::array<Vec<R>, 3>>& triangles) {
+Bvh<R> build_bvh(const std::vector<std::array<Vec<R>, 3>>& triangles,
+                 const std::vector<int>& objects) {
   if (triangles.empty()) return {};
   Builder<R> builder;
   builder.order.resize(triangles.size());
@@ -195,14 +198,17 @@ Bvh<R> build_bvh(const std::vector<std::array<Vec<R>, 3>>& triangles) {
   }
   builder.build(0, triangles.size(), 0);
   const BinaryNode<R>& root = builder.nodes[0];
-  Widener<R> widener{builder, triangles, {{}, {}, root.min, root.max}};
+  Widener<R> widener{builder, triangles, objects, {{}, {}, root.min, root.max}};
   widener.add_node(root.count > 0 ? std::vector<std::uint32_t>{0} : widener.opened(0));
   return std::move(widener.bvh);
 }
 
-template Bvh<float> build_bvh(const std::vector<std::array<Vec<float>, 3>>&);
-template Bvh<double> build_bvh(const std::vector<std::array<Vec<double>, 3>>&);
-template Bvh<long double> build_bvh(const std::vector<std::array<Vec<long double>, 3>>&);
-template Bvh<Quad> build_bvh(const std::vector<std::array<Vec<Quad>, 3>>&);
+template Bvh<float> build_bvh(const std::vector<std::array<Vec<float>, 3>>&,
+                              const std::vector<int>&);
+template Bvh<double> build_bvh(const std::vector<std::array<Vec<double>, 3>>&,
+                               const std::vector<int>&);
+template Bvh<long double> build_bvh(const std::vector<std::array<Vec<long double>, 3>>&,
+                                    const std::vector<int>&);
+template Bvh<Quad> build_bvh(const std::vector<std::array<Vec<Quad>, 3>>&, const std::vector<int>&);
 
 }  // namespace litmus

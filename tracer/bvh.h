@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "tracer/huge_pages.h"
 #include "tracer/intersect.h"
 
 namespace litmus {
@@ -15,9 +16,11 @@ inline constexpr int kWide = 8;
 /// Up to eight boxes side by side.
 template <Real R>
 struct alignas(64) WideNode {
-  R bounds[2][3][kWide];       ///< lower and upper by axis; nothing meets the box of an empty place
-  std::uint32_t first[kWide];  ///< leaf: its first block; else: a node
-  std::uint32_t count[kWide];  ///< triangles of a leaf; 0 for a node
+  R bounds[2][3][kWide];  ///< lower and upper by axis; nothing meets the box of an empty place
+  struct Child {
+    std::uint32_t first;  ///< leaf: its first block; else: a node
+    std::uint32_t count;  ///< triangles of a leaf; 0 for a node
+  } children[kWide];
 };
 
 /// Up to eight triangles side by side.
@@ -25,18 +28,21 @@ template <Real R>
 struct alignas(64) TriangleBlock {
   R corners[3][3][kWide];  ///< by corner and axis; nothing meets the triangle of an empty place
   std::uint32_t numbers[kWide];  ///< in the list that the tree was built from
+  std::uint32_t objects[kWide];  ///< that they belong to
 };
 
 template <Real R>
 struct Bvh {
-  std::vector<WideNode<R>> nodes;  ///< nodes[0] is the root; empty without triangles
-  std::vector<TriangleBlock<R>> blocks;
+  HugeVector<WideNode<R>> nodes;  ///< nodes[0] is the root; empty without triangles
+  HugeVector<TriangleBlock<R>> blocks;
   Vec<R> min, max;  ///< of all triangles
 };
 
 /// Builds the tree with the surface area heuristic over 16 bins (Wald 2007). Deterministic.
+/// `objects` are those that the triangles belong to.
 template <Real R>
-Bvh<R> build_bvh(const std::vector<std::array<Vec<R>, 3>>& triangles);
+Bvh<R> build_bvh(const std::vector<std::array<Vec<R>, 3>>& triangles,
+                 const std::vector<int>& objects);
 
 /// A ray as it is tested against boxes: one ray in all lanes against a box in each, or the reverse.
 template <Value V>
@@ -74,6 +80,21 @@ Mask<V> meets_box(const Vec<Scalar<V>>& min, const Vec<Scalar<V>>& max, const Ra
   return enter <= leave;
 }
 
+/// Which boxes of a node, from the one at `first` on, a ray meets within its limit, as bits, and
+/// where it enters them. `backwards` is 1 for each axis along which the ray runs down.
+template <Value W, Real R>
+unsigned meet_boxes(const WideNode<R>& node, int first, const SlabRay<W>& slabs,
+                    const int (&backwards)[3], const R& limit, W& enter) {
+  W leave = limit;
+  enter = R(0);
+  for (int axis = 0; axis < 3; ++axis) {
+    const R* const near = node.bounds[backwards[axis]][axis];
+    const R* const far = node.bounds[1 - backwards[axis]][axis];
+    slabs.narrow(axis, load_lanes<W>(near + first), load_lanes<W>(far + first), enter, leave);
+  }
+  return lanes_of(enter <= leave);
+}
+
 /// In which order a ray comes to the triangles.
 enum class Order { NearestFirst, Any };
 
@@ -86,46 +107,51 @@ void traverse(const Bvh<R>& bvh, const Ray<R>& ray, Visit&& visit) {
   const SlabRay<W> slabs(Ray<W>{Vec<W>(ray.origin), Vec<W>(ray.direction)});
   int backwards[3];
   for (int axis = 0; axis < 3; ++axis) backwards[axis] = 1 / ray.direction[axis] < 0;
+  using Child = typename WideNode<R>::Child;
   struct Entry {
     R enter;
-    std::uint32_t first, count;
+    Child child;
   };
-  Entry stack[64 * (kWide - 1) + 1];
-  stack[0] = {R(0), 0, 0};
-  for (int depth = 1; depth > 0;) {
-    const Entry entry = stack[--depth];
-    if (entry.enter > ray.limit) continue;
-    if (entry.count > 0) {
-      for (std::uint32_t k = 0; k * kWide < entry.count; ++k) {
-        const int count = int(std::min<std::uint32_t>(entry.count - k * kWide, kWide));
-        if (visit(bvh.blocks[entry.first + k], count)) return;
+  Entry stack[64 * (kWide - 1)];
+  int depth = 0;
+  for (Child at{0, 0};;) {
+    if (at.count > 0) {
+      for (std::uint32_t k = 0; k * kWide < at.count; ++k) {
+        const int count = int(std::min<std::uint32_t>(at.count - k * kWide, kWide));
+        if (visit(bvh.blocks[at.first + k], count)) return;
       }
-      continue;
-    }
-    const WideNode<R>& node = bvh.nodes[entry.first];
-    const int bottom = depth;
-    for (int first = 0; first < kWide; first += kLanes<W>) {
-      W enter = R(0), leave = ray.limit;
-      for (int axis = 0; axis < 3; ++axis) {
-        slabs.narrow(axis, load_lanes<W>(node.bounds[backwards[axis]][axis] + first),
-                     load_lanes<W>(node.bounds[1 - backwards[axis]][axis] + first), enter, leave);
-      }
-      unsigned met = lanes_of(enter <= leave);
-      if (met == 0) continue;
-      R enters[kLanes<W>];
-      copy_lanes(enter, enters);
-      for (; met != 0; met &= met - 1) {
-        const int k = std::countr_zero(met);
-        int place = depth++;
-        if constexpr (kOrder == Order::NearestFirst) {
-          // The nearest comes to the top of the stack.
-          for (; place > bottom && stack[place - 1].enter < enters[k]; --place) {
-            stack[place] = stack[place - 1];
-          }
+    } else {
+      const WideNode<R>& node = bvh.nodes[at.first];
+      const int bottom = depth;
+      bool alone = false;
+      for (int first = 0; first < kWide; first += kLanes<W>) {
+        W enter;
+        unsigned met = meet_boxes(node, first, slabs, backwards, ray.limit, enter);
+        if (met == 0) continue;
+        if (kLanes<W> == kWide && (met & (met - 1)) == 0) {
+          // The common case needs no stack.
+          at = node.children[std::countr_zero(met)], alone = true;
+          break;
         }
-        stack[place] = {enters[k], node.first[first + k], node.count[first + k]};
+        R enters[kLanes<W>];
+        copy_lanes(enter, enters);
+        for (; met != 0; met &= met - 1) {
+          const int k = std::countr_zero(met);
+          int place = depth++;
+          if constexpr (kOrder == Order::NearestFirst) {
+            // The nearest comes to the top of the stack.
+            for (; place > bottom && stack[place - 1].enter < enters[k]; --place)
+              stack[place] = stack[place - 1];
+          }
+          stack[place] = {enters[k], node.children[first + k]};
+        }
       }
+      if (alone) continue;
     }
+    do {
+      if (depth == 0) return;
+      at = stack[--depth].child;
+    } while (stack[depth].enter > ray.limit);
   }
 }
 

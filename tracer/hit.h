@@ -219,6 +219,15 @@ void settle(const Plan<R>& plan, const Ray<V>& ray, Hit<V>& hit) {
   hit.normal = select(dot(all.normal, ray.direction) > R(0), -all.normal, all.normal);
 }
 
+/// Asks for what will be read soon.
+template <class T>
+void prefetch(const T& soon) {
+  constexpr std::size_t kLine = 64;
+  const char* const first = reinterpret_cast<const char*>(&soon);
+  for (std::size_t at = 0; at < sizeof(T); at += kLine) __builtin_prefetch(first + at);
+  __builtin_prefetch(first + sizeof(T) - 1);
+}
+
 /// Moves the hit of one ray to the triangle that it meets first, if that comes before. W is as many
 /// triangles as are tested at once.
 template <Value W, Real R>
@@ -232,12 +241,14 @@ void closest_triangle(const Plan<R>& plan, Ray<R> ray, Hit<R>& best) {
       unsigned hits = lanes_of((met.t > R(0)) & (met.t <= W(ray.limit)));
       for (; hits != 0; hits &= hits - 1) {
         const int i = std::countr_zero(hits), index = int(block.numbers[first + i]);
-        const int object = plan.triangle_info[std::size_t(index)].object;
+        const int object = int(block.objects[first + i]);
         if (!plan.camera_visible[std::size_t(object)]) continue;
         if (!comes_before(lane(met.t, i), object, index, best)) continue;
         best.kind = Kind::Triangle, best.object = object, best.index = index;
         best.u = lane(met.u, i), best.v = lane(met.v, i), best.w = lane(met.w, i);
         best.t = ray.limit = lane(met.t, i), total = lane(met.total, i);
+        prefetch(plan.triangles[std::size_t(index)]);
+        prefetch(plan.triangle_info[std::size_t(index)]);
       }
     }
     return false;

@@ -184,7 +184,9 @@ Plan<R> lower(const Scene& scene, const Effects& effects) {
     plan.finishes.push_back(
         finish_from<R>(scene.materials[std::size_t(object.material)], effects, plan.sample_code));
   }
-  plan.bvh = build_bvh(plan.triangles);
+  std::vector<int> objects;
+  for (const TriangleInfo<R>& info : plan.triangle_info) objects.push_back(info.object);
+  plan.bvh = build_bvh(plan.triangles, objects);
   if (!plan.triangles.empty()) {
     plan.mesh_ball = box_ball(plan.bvh.min, plan.bvh.max);
   }

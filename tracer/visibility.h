@@ -184,7 +184,7 @@ int blocking_triangle(const Plan<R>& plan, const ShadowRay<R>& shadow, int own) 
       for (; hits != 0; hits &= hits - 1) {
         const int i = std::countr_zero(hits), number = int(block.numbers[first + i]);
         if (!blocks(number, lane(met.t, i))) continue;
-        blocker = plan.triangle_info[std::size_t(number)].object;
+        blocker = int(block.objects[first + i]);
         return true;
       }
     }

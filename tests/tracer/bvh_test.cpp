@@ -23,15 +23,22 @@ std::vector<Corners> random_triangles(int count) {
   return triangles;
 }
 
-/// How often each of `count` triangles is in a leaf, with its own corners.
+/// Triangle i belongs to object 2 i.
+Bvh<double> tree_of(const std::vector<Corners>& triangles) {
+  std::vector<int> objects(triangles.size());
+  for (std::size_t i = 0; i < objects.size(); ++i) objects[i] = int(2 * i);
+  return build_bvh(triangles, objects);
+}
+
+/// How often each of `count` triangles is in a leaf, with its own corners and object.
 std::vector<int> times_held(const std::vector<Corners>& triangles, const Bvh<double>& bvh) {
   std::vector<int> times(triangles.size());
   for (const WideNode<double>& node : bvh.nodes) {
     for (int k = 0; k < kWide; ++k) {
-      for (std::uint32_t i = 0; i < node.count[k]; ++i) {
-        const TriangleBlock<double>& block = bvh.blocks[node.first[k] + i / kWide];
+      for (std::uint32_t i = 0; i < node.children[k].count; ++i) {
+        const TriangleBlock<double>& block = bvh.blocks[node.children[k].first + i / kWide];
         const std::uint32_t place = i % kWide, number = block.numbers[place];
-        bool same = true;
+        bool same = block.objects[place] == 2 * number;
         for (std::size_t c = 0; c < 3; ++c) {
           for (int axis = 0; axis < 3; ++axis)
             same &= block.corners[c][axis][place] == triangles[number][c][axis];
@@ -45,19 +52,19 @@ std::vector<int> times_held(const std::vector<Corners>& triangles, const Bvh<dou
 
 TEST(Bvh, HoldsEveryTriangleOnce) {
   const auto triangles = random_triangles(1000);
-  const auto times = times_held(triangles, build_bvh(triangles));
+  const auto times = times_held(triangles, tree_of(triangles));
   EXPECT_EQ(std::count(times.begin(), times.end(), 1), 1000);
 }
 
 TEST(Bvh, FillsHalfOfItsBlocksAndAThirdOfItsNodes) {
-  const auto bvh = build_bvh(random_triangles(1000));
+  const auto bvh = tree_of(random_triangles(1000));
   EXPECT_LT(bvh.blocks.size() * kWide, 1000 * 2);
   EXPECT_LT(bvh.nodes.size() * kWide, (bvh.blocks.size() + bvh.nodes.size()) * 3);
 }
 
 TEST(Bvh, FindsWhatAPlainLoopFinds) {
   const auto triangles = random_triangles(2000);
-  const auto bvh = build_bvh(triangles);
+  const auto bvh = tree_of(triangles);
   std::mt19937 random(5);
   std::normal_distribution<double> normal;
   int hits = 0;
@@ -86,7 +93,7 @@ TEST(Bvh, FindsWhatAPlainLoopFinds) {
 TEST(Bvh, MeetsAFlatBoxSeenAlongAnAxis) {
   const std::vector<Corners> square{{Vec<double>{0, 0, 0}, {1, 0, 0}, {0, 1, 0}},
                                     {Vec<double>{1, 1, 0}, {0, 1, 0}, {1, 0, 0}}};
-  const auto bvh = build_bvh(square);
+  const auto bvh = tree_of(square);
   Ray<double> ray{{1.0 / 3, 1.0 / 7, 1}, {0, 0, -1}};
   int visited = 0;
   traverse<double, Order::Any>(bvh, ray, [&](const auto&, int) { return ++visited, false; });
@@ -95,7 +102,7 @@ TEST(Bvh, MeetsAFlatBoxSeenAlongAnAxis) {
 
 TEST(Bvh, SplitsTrianglesThatShareOneCentre) {
   const std::vector<Corners> pile(100000, Corners{Vec<double>{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
-  const auto times = times_held(pile, build_bvh(pile));
+  const auto times = times_held(pile, tree_of(pile));
   EXPECT_EQ(std::size_t(std::count(times.begin(), times.end(), 1)), pile.size());
 }
 
