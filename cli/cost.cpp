@@ -66,10 +66,12 @@ int run_peers(const CostArguments& options) {
   PeerOptions peers{.quick = options.quick, .work = work.path, .progress = say};
   if (options.quick) peers.repeats = 3;
   const std::vector<PeerTask> tasks = measure_peers(peers);
-  const std::filesystem::path file = options.out / "peers.json";
-  write_whole(file, peers_json(tasks, peers, stamp.of(options, true)));
+  const Provenance provenance = stamp.of(options, true);
+  write_whole(options.out / "peers.json", peers_json(tasks, peers, provenance));
+  write_whole(options.out / "peers.html", peers_html(tasks, peers, provenance));
   fmt::print("{}", peers_text(tasks));
-  fmt::print(stderr, "{}\n", file.string());
+  fmt::print(stderr, "{}, {}\n", (options.out / "peers.html").string(),
+             (options.out / "peers.json").string());
   return complete(tasks) ? kPass : kIncomplete;
 }
 
@@ -112,7 +114,9 @@ void add_cost(Program& program) {
   Subcommand command =
       program.add("cost", "Measure what accuracy costs in time, and write cost.html and cost.json");
   command.option("scene", options->scene, "Scene file or canonical name").with_default();
-  command.option("--out", options->out, "Folder for cost.html and cost.json (--peers: peers.json)")
+  command
+      .option("--out", options->out,
+              "Folder for cost.html and cost.json (--peers: peers.html, peers.json)")
       .with_default();
   command.flag("--quick", options->quick,
                "A first look: fewer settings, 3 repeats, 48 pixels wide (--peers: small pictures)");

@@ -67,7 +67,7 @@ using Lit = std::function<std::optional<bool>(const FloorPoint&)>;
 using FloorPoints = std::vector<std::optional<FloorPoint>>;
 
 std::shared_ptr<const FloorPoints> floor_points(const Scene& scene, const Object& floor) {
-  const View view = view_of(scene);
+  const ClosedFormView view = view_of(scene);
   const Obstacles before_eye = obstacles(scene, eye_of(view), true);
   FloorPoints points(std::size_t(scene.width) * std::size_t(scene.height));
   tbb::parallel_for(0, scene.height, [&](int y) {

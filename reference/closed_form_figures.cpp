@@ -125,7 +125,7 @@ void measure_rectangle_limit(const Scene& scene, std::vector<Figure>& figures) {
     const auto offsets = [](Exact from, Exact to, Exact size) {
       return std::array{to - size / 2 - from, to + size / 2 - from};
     };
-    const View view = view_of(scene);
+    const ClosedFormView view = view_of(scene);
     double exact = 0;
     for (int y = 0; y < scene.height; ++y)
       for (int x = 0; x < scene.width; ++x) {

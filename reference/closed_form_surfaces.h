@@ -47,7 +47,7 @@ class SurfaceOracle {
   std::optional<SeenPoint> nearest(const Sight& sight, bool& unsure) const;
 
   const Scene& scene_;
-  View view_;
+  ClosedFormView view_;
   std::vector<const Object*> surfaces_;
   bool nothing_else_ = true;  ///< is in view
   Obstacles before_eye_;

@@ -44,7 +44,7 @@ ExactFrame exact_frame(const Camera& camera) {
   return frame;
 }
 
-View view_of(const Scene& scene) {
+ClosedFormView view_of(const Scene& scene) {
   const Camera& camera = scene.camera;
   const bool parallel = camera.projection == Projection::Orthographic;
   return {exact_frame(camera),
@@ -55,7 +55,7 @@ View view_of(const Scene& scene) {
           scene.height};
 }
 
-Sight sight(const View& view, int x, int y) {
+Sight sight(const ClosedFormView& view, int x, int y) {
   const Exact u = Exact(2 * x + 1 - view.width) / view.height;
   const Exact v = Exact(view.height - 1 - 2 * y) / view.height;
   const ExactVec aside = view.half * (u * view.frame.right + v * view.frame.up);
@@ -63,7 +63,7 @@ Sight sight(const View& view, int x, int y) {
   return {view.eye, glm::normalize(view.frame.forward + aside)};
 }
 
-PencilEnd eye_of(const View& view) {
+PencilEnd eye_of(const ClosedFormView& view) {
   return {glm::dvec3(view.parallel ? -view.frame.forward : view.eye), view.parallel};
 }
 

@@ -15,14 +15,14 @@ struct ExactFrame {
 ExactFrame exact_frame(const Camera& camera);
 
 /// A camera with what all its pixels have in common.
-struct View {
+struct ClosedFormView {
   ExactFrame frame;
   ExactVec eye{0};
   bool parallel = false;  ///< orthographic
   Exact half = 0;         ///< of the picture's height, at the distance 1 in perspective
   int width = 0, height = 0;
 };
-View view_of(const Scene& scene);
+ClosedFormView view_of(const Scene& scene);
 
 /// The ray through a pixel's centre: from `start`, along the unit vector `along`.
 struct Sight {
@@ -30,10 +30,10 @@ struct Sight {
 };
 
 /// x to the right, y down, (0, 0) the top left pixel.
-Sight sight(const View& view, int x, int y);
+Sight sight(const ClosedFormView& view, int x, int y);
 
 /// Where all ways to the eye end.
-PencilEnd eye_of(const View& view);
+PencilEnd eye_of(const ClosedFormView& view);
 
 /// A point of a surface as it is seen: `normal` and `eye` are unit and on one side.
 struct SeenPoint {

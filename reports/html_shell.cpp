@@ -53,6 +53,7 @@ std::vector<PageLink> pages_in(const std::filesystem::path& folder) {
   const PageLink known[] = {
       {"stress.html", "Stress", "What happens at the ends of the numbers"},
       {"cost.html", "Cost", "What accuracy and effects cost"},
+      {"peers.html", "Peers", "How long litmus takes beside other renderers"},
       {"migration.html", "Migration", "The old version of a renderer beside the new one"}};
   std::vector<PageLink> found;
   for (const PageLink& page : known) {

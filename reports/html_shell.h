@@ -25,7 +25,7 @@ struct PageLink {
   std::string file, title, about;
 };
 
-/// Those of stress.html, cost.html and migration.html that exist in the folder.
+/// Those of stress.html, cost.html, peers.html and migration.html that exist in the folder.
 std::vector<PageLink> pages_in(const std::filesystem::path& folder);
 
 }  // namespace litmus

@@ -13,6 +13,7 @@ struct Entrant {
   std::string name;
   std::function<double()> measure;  ///< does it once: seconds of processor time; throws if it fails
   std::string missing = {};         ///< why it cannot, or empty
+  double triangles = 0;             ///< as in PeerRow
 };
 
 /// Lets all do the task once a repeat, one after the other. One that fails is missing from then on.

@@ -154,9 +154,9 @@ std::vector<PeerTask> growth_tasks(const std::vector<int>& triangles, int size,
     const std::string name =
         fmt::format("{} triangles (their logarithm: {:.2f} times)",
                     with_commas((long long)(stage->triangles)), std::log(count) / std::log(least));
-    ours.push_back({name, [=] { return stage->primary_seconds(); }, no_packets()});
+    ours.push_back({name, [=] { return stage->primary_seconds(); }, no_packets(), count});
     embree.push_back(embree_entrant(stage, false));
-    embree.back().name = name;
+    embree.back().name = name, embree.back().triangles = count;
   }
   const auto task = [&](const std::string& name, const std::string& who) {
     return PeerTask{name, fmt::format("{}, primary rays, {} x {}, by triangles", who, size, size),

@@ -68,7 +68,8 @@ PeerRatio PeerTask::ratio(const PeerRow& row) const {
 PeerTask take_turns(PeerTask task, const std::vector<Entrant>& entrants,
                     const PeerOptions& options) {
   if (options.progress) options.progress(task.title);
-  for (const Entrant& entrant : entrants) task.rows.push_back({entrant.name, entrant.missing, {}});
+  for (const Entrant& entrant : entrants)
+    task.rows.push_back({entrant.name, entrant.missing, {}, entrant.triangles});
   for (int repeat = 0; repeat < options.repeats; ++repeat) {
     for (std::size_t i = 0; i < entrants.size(); ++i) {
       PeerRow& row = task.rows[i];

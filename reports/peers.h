@@ -13,6 +13,7 @@ struct PeerRow {
   std::string name;
   std::string missing;          ///< why it was not measured; empty if it was
   std::vector<double> seconds;  ///< of each repeat: processor time, without any start-up
+  double triangles = 0;         ///< of its mesh, where the rows of a task differ in it
 
   double least() const;
 };

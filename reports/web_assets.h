@@ -11,6 +11,7 @@ extern const std::string_view kShellTemplate;  ///< shell.html, of small pages
 extern const std::string_view kPageStyle;      ///< page.css
 extern const std::string_view kPageScript;     ///< all *.js, one after the other
 extern const std::string_view kCostScript;     ///< cost.js
+extern const std::string_view kPeersScript;    ///< peers.js
 extern const std::string_view kChartScript;    ///< Chart.js
 
 }  // namespace litmus

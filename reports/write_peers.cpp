@@ -14,12 +14,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// "12 ns", "1.3 us".
-std::string short_time(double seconds) {
-  return seconds < 1e-6 ? fmt::format("{:.1f} ns", seconds * 1e9)
-                        : fmt::format("{:.2f} us", seconds * 1e6);
-}
-
 std::string row_text(const PeerTask& task, const PeerRow& row, std::size_t width) {
   if (!row.missing.empty())
     return fmt::format("  {:<{}}  missing: {}\n", row.name, width, clean_text(row.missing));
@@ -35,11 +29,17 @@ Json row_json(const PeerTask& task, const PeerRow& row) {
   const PeerRatio ratio = task.ratio(row);
   return {{"name", row.name},
           {"missing", clean_text(row.missing)},
+          {"triangles", row.triangles},
           {"seconds", row.seconds},
           {"ratio", {{"median", ratio.median}, {"least", ratio.least}, {"most", ratio.most}}}};
 }
 
 }  // namespace
+
+std::string short_time(double seconds) {
+  return seconds < 1e-6 ? fmt::format("{:.1f} ns", seconds * 1e9)
+                        : fmt::format("{:.2f} us", seconds * 1e6);
+}
 
 std::string peers_text(const std::vector<PeerTask>& tasks) {
   std::size_t width = 0;

@@ -152,7 +152,7 @@ TEST(SpheresOracle, FillsItsSolidAngleInPerspective) {
   scene.objects = {{"ball", Sphere{{0.7, -0.4, 6}, 1.1}, 0}};
   scene.ambient = Color(1), scene.expect = {Oracle::Spheres};
   const ClosedForm known = closed_form(scene);
-  const View view = view_of(scene);
+  const ClosedFormView view = view_of(scene);
   const double side = 2 * std::tan(0.45) / 301;
   double covered = 0;
   for (int y = 0; y < 301; ++y)

@@ -141,7 +141,7 @@ class Walker {
   }
 
   const Scene& scene_;
-  View view_;
+  ClosedFormView view_;
   std::vector<Solid> solids_;
   std::vector<const Solid*> casters_, seen_;
 };
@@ -431,7 +431,7 @@ TEST(SecondDerivation, OfShadowArea) {
 /// two pixels it does not.
 TEST(SecondDerivation, OfHighlightPeak) {
   for (const Scene* scene : naming(Oracle::Highlight)) {
-    const View view = view_of(*scene);
+    const ClosedFormView view = view_of(*scene);
     for (const Figure& figure : closed_form(*scene).figures) {
       if (figure.oracle != Oracle::Highlight) continue;
       const ExactVec lamp = plain_lamps(scene->lights[figure.layer - 1])[0].place;
@@ -454,7 +454,7 @@ TEST(SecondDerivation, OfHighlightPeak) {
 /// The mean of H/d over the picture and the rectangle, by Simpson's rule in the rectangle.
 TEST(SecondDerivation, OfRectangleLimit) {
   for (const Scene* scene : naming(Oracle::RectangleLimit)) {
-    const View view = view_of(*scene);
+    const ClosedFormView view = view_of(*scene);
     for (const Figure& figure : closed_form(*scene).figures) {
       if (figure.oracle != Oracle::RectangleLimit) continue;
       const Light& light = scene->lights[figure.layer - 1];

@@ -126,7 +126,7 @@ class PixelCondition {
   }
 
   const Scene& scene_;
-  View view_;
+  ClosedFormView view_;
   SurfaceOracle surfaces_;
   std::vector<ExactLight> lights_;
 };
