@@ -33,12 +33,13 @@ function options() {
   const axis = (text, more) => ({
     title: {display: true, text, color: dim}, grid, border: grid, ...more, ticks: {color: dim, ...more.ticks},
   });
+  const first = Math.min(...peers.tasks.flatMap(points).map(p => p.x));
   const power = value => (Number.isInteger(Math.log10(value)) ? value.toLocaleString("en") : "");
   return {
     responsive: true, maintainAspectRatio: false, animation: false, color: ink,
     interaction: {mode: "nearest", intersect: false},
     scales: {
-      x: axis("triangles", {type: "logarithmic", ticks: {callback: power, autoSkip: false, maxRotation: 0}}),
+      x: axis("triangles", {type: "logarithmic", min: first / 1.5, ticks: {callback: power, autoSkip: false, maxRotation: 0}}),
       y: axis("a ray, ns", {min: 0, ticks: {}}),
     },
     plugins: {
