@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -15,6 +16,11 @@ namespace {
 
 constexpr int kMostAreaSamples = 512, kMostGrid = 64, kMostPixelSamples = 128;
 constexpr int kAllBetween = 10;  // bisections: enough for all numbers up to 1024
+// Below the first number of samples that keeps the error: down to this share of it, in so many
+// steps, unless one of them costs that many times what is known.
+constexpr double kNearby = 0.7;
+constexpr int kNearbyTries = 6;
+constexpr double kNearbyPrice = 1.5;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kJudges = 0.1;          // of the error allowed: what a judge may be off by itself
 constexpr double kWorthRepeating = 0.2;  // seconds: shorter times are taken three times
@@ -68,13 +74,17 @@ struct Tuner {
   }
 
   /// Tries with(1), with(2), with(4), ... as far as they are cheaper than what is known; then up to
-  /// `between` of those between the last that fails and the first that keeps the error.
+  /// `between` of those between the last that fails and the first that keeps the error. The error
+  /// of a grid does not fall at every step: some of a few samples less are tried as well.
   template <class With>
   void climb(const Rendering& judge, double own_error, int most, int between, With with) {
+    const bool nearby = between == kAllBetween;
     bool cheaper = true;
+    double price = 0;
     const auto keeps = [&](int n) {
       Measured one = measure(with(n));
       cheaper = !result.met || one.seconds < result.seconds;
+      price = one.seconds;
       const double error = apart(one.rendering, judge) + own_error;
       return offer(with(n), error, std::move(one));
     };
@@ -83,6 +93,11 @@ struct Tuner {
     while (between-- > 0 && holds - fails > 1) {
       const int middle = (holds + fails) / 2;
       (keeps(middle) ? holds : fails) = middle;
+    }
+    const int step = std::max(1, int(std::lround((1 - kNearby) * holds / kNearbyTries)));
+    for (int n = fails - step; nearby && n >= std::max(1.0, kNearby * holds); n -= step) {
+      keeps(n);
+      if (price > kNearbyPrice * result.seconds) break;
     }
   }
 };
@@ -125,6 +140,24 @@ Judge find_judge(Tuner& tuner, bool area, bool pixels) {
     if (own <= wanted) break;
   }
   return {std::move(measured.rendering), own};
+}
+
+/// Every sampler of area lights, with as many samples a pixel as the cheapest known has.
+void climb_samplers(Tuner& tuner, const Judge& judge) {
+  const int pixel_samples = tuner.result.settings.pixel_samples;
+  const auto climb = [&](Sampler sampler, Precision precision) {
+    // The certified sampler knows 2^k and 3 * 2^k only.
+    const bool certified = sampler == Sampler::Certified;
+    tuner.climb(judge.rendering, judge.own_error, certified ? kMostAreaSamples : kMostGrid,
+                certified ? 1 : kAllBetween, [&](int n) {
+                  return TuneSettings{sampler, n, pixel_samples, precision};
+                });
+  };
+  climb(Sampler::Certified, Precision::Double);
+  climb(Sampler::Gauss, Precision::Double);
+  // A grid that costs too much in double may be the cheapest in float, so both are climbed.
+  climb(Sampler::Centres, Precision::Double);
+  climb(Sampler::Centres, Precision::Float);
 }
 
 }  // namespace
@@ -173,20 +206,11 @@ Tuned tune(const Scene& scene, const TuneOptions& options) {
       return one;
     });
   }
-  const int pixel_samples = tuner.result.settings.pixel_samples;
   if (area) {
-    for (const Sampler sampler : {Sampler::Certified, Sampler::Gauss, Sampler::Centres}) {
-      // The certified sampler knows 2^k and 3 * 2^k only.
-      tuner.climb(judge.rendering, judge.own_error,
-                  sampler == Sampler::Certified ? kMostAreaSamples : kMostGrid,
-                  sampler == Sampler::Certified ? 1 : kAllBetween, [&](int n) {
-                    return TuneSettings{sampler, n, pixel_samples, Precision::Double};
-                  });
-    }
-  }
-  TuneSettings in_float = tuner.result.settings;
-  in_float.precision = Precision::Float;
-  if (in_float.sampler != Sampler::Certified && in_float.sampler != Sampler::Gauss) {
+    climb_samplers(tuner, judge);
+  } else {
+    TuneSettings in_float = tuner.result.settings;
+    in_float.precision = Precision::Float;
     Measured one = tuner.measure(in_float);
     const double error = tuner.apart(one.rendering, judge.rendering) + judge.own_error;
     tuner.offer(in_float, error, std::move(one));

@@ -76,6 +76,19 @@ TEST(Tune, ChoosesNothingThatAnotherSettingBeatsByFar) {
   EXPECT_GT(tuned.tried.size(), 5u);
 }
 
+TEST(Tune, ClimbsTheGridInEachPrecision) {
+  const Tuned tuned = tune(soft_shadow(), {.max_error = 1e-2, .threads = 1});
+  for (const Precision precision : {Precision::Double, Precision::Float}) {
+    EXPECT_GT(std::ranges::count_if(tuned.tried,
+                                    [&](const Tried& one) {
+                                      return one.settings.sampler == Sampler::Centres &&
+                                             one.settings.precision == precision;
+                                    }),
+              2)
+        << precision_name(precision);
+  }
+}
+
 TEST(Tune, FiltersPixelsAsFarAsItMust) {
   Scene scene = floor_from_above(16);
   scene.objects.push_back({"block", Box{{-1, -1, 0.1}, {0.53, 0.77, 0.5}}, 0, true});
