@@ -14,7 +14,7 @@
 namespace litmus {
 namespace {
 
-constexpr int kMostAreaSamples = 512, kMostGrid = 64, kMostPixelSamples = 128;
+constexpr int kMostAreaSamples = 512, kMostGrid = 64, kMostPixelSamples = 256;
 constexpr int kAllBetween = 10;  // bisections: enough for all numbers up to 1024
 // Below the first number of samples that keeps the error: down to this share of it, in so many
 // steps, unless one of them costs that many times what is known.
@@ -22,7 +22,9 @@ constexpr double kNearby = 0.7;
 constexpr int kNearbyTries = 6;
 constexpr double kNearbyPrice = 1.5;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kJudges = 0.1;          // of the error allowed: what a judge may be off by itself
+// Of the error allowed: what a judge may be off by itself. The errors of pixels fall slowly, so
+// that of two numbers of samples close to each other only a sharp judge lets the smaller pass.
+constexpr double kJudges = 0.1, kPixelJudges = 0.05;
 constexpr double kWorthRepeating = 0.2;  // seconds: shorter times are taken three times
 // Rounding of double precision on any scene that the loader accepts is far below this.
 constexpr double kRounding = 1e-9;
@@ -111,7 +113,7 @@ struct Judge {
 /// Doubles whichever number of samples changes the picture more, until neither changes it by much
 /// of what is allowed. Offers each setting before its doubling.
 Judge find_judge(Tuner& tuner, bool area, bool pixels) {
-  const double wanted = kJudges * tuner.options.max_error;
+  const double wanted = (pixels ? kPixelJudges : kJudges) * tuner.options.max_error;
   TuneSettings now{area ? Sampler::Certified : Sampler::Scene, area ? 1 : 0, 1, Precision::Double};
   Measured measured = tuner.measure(now);
   double own = kInfinity;

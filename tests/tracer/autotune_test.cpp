@@ -52,7 +52,7 @@ TEST(Tune, KeepsItsPromiseOnEveryCanonicalScene) {
     });
     area_scenes += area;
     const TuneSettings truth{area ? Sampler::Certified : Sampler::Scene, area ? 256 : 0,
-                             scene.samples > 1 ? 64 : 1};
+                             scene.samples > 1 ? 512 : 1};
     const Picture exact = render(scene, truth, 0).whole;
     for (const double budget : kBudgets) {
       const Tuned tuned = tune(scene, {.max_error = budget});
