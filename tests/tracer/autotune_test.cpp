@@ -46,7 +46,7 @@ TEST(Tune, KeepsItsPromiseUnderAnAreaLight) {
 TEST(Tune, KeepsItsPromiseOnEveryCanonicalScene) {
   int area_scenes = 0;
   for (Scene& scene : load_canonical_scenes().scenes) {
-    scene.height = std::max(1, 20 * scene.height / scene.width), scene.width = 20;
+    scene.height = std::max(1, 12 * scene.height / scene.width), scene.width = 12;
     const bool area = std::any_of(scene.lights.begin(), scene.lights.end(), [](const Light& light) {
       return std::holds_alternative<AreaLight>(light.shape);
     });
@@ -55,7 +55,7 @@ TEST(Tune, KeepsItsPromiseOnEveryCanonicalScene) {
                              scene.samples > 1 ? 512 : 1};
     const Picture exact = render(scene, truth, 0).whole;
     for (const double budget : kBudgets) {
-      const Tuned tuned = tune(scene, {.max_error = budget});
+      const Tuned tuned = tune(scene, {.max_error = budget, .threads = 1});
       EXPECT_EQ(tuned.met, tuned.error <= budget) << scene.name;
       EXPECT_TRUE(tuned.met || scene.samples > 1) << scene.name << " within " << budget;
       EXPECT_LE(error_of(pixel_errors(tuned.rendering.whole, exact), ErrorMetric::Max), tuned.error)
