@@ -10,6 +10,7 @@
 #include "reference/stored_images.h"
 #include "reports/provenance.h"
 #include "scene/load.h"
+#include "scene/refusal.h"
 
 namespace litmus {
 namespace {
@@ -25,21 +26,34 @@ std::string missing_text(const Driver& driver) {
       driver.package);
 }
 
+/// Prints what opens images; false if nothing does.
+bool print_image_library() {
+  try {
+    print_row("OpenImageIO", image_library_version());
+    return true;
+  } catch (const Refusal& refusal) {
+    print_row("OpenImageIO", fmt::format("missing, nothing but list, explain and export works: {}",
+                                         refusal.what()));
+    return false;
+  }
+}
+
 int run_doctor() {
   const auto [scenes, left_out] = load_canonical_scenes();
   const Provenance provenance = provenance_of({});
   print_row("litmus", fmt::format("{} ({})", provenance.litmus_version, provenance.commit));
-  print_row("OpenImageIO", image_library_version());
+  const bool images = print_image_library();
   print_row("scenes", fmt::format("{} canonical, in {}", scenes.size(), data_directory().string()));
   for (const std::string& why : left_out) print_row("", "left out: " + why);
   print_row("store", default_store_directory().string());
-  int exit_code = left_out.empty() ? kPass : kIncomplete;
+  int exit_code = images && left_out.empty() ? kPass : kIncomplete;
   for (const Driver& driver : drivers()) {
     const auto installation = driver.find();
     if (!installation) exit_code = kIncomplete;
     print_row(driver.title, installation ? fmt::format("{} at {}", installation->version,
                                                        installation->program.string())
                                          : missing_text(driver));
+    if (!images) continue;
     const auto stored = std::count_if(scenes.begin(), scenes.end(), [&](const Scene& scene) {
       return load_stored(scene, driver.name).images.has_value();
     });

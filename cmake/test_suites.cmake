@@ -1,5 +1,5 @@
-# Writes the file that tells ctest of a test program: an entry for every TOGETHER suites in a row. A
-# program behind OpenImageIO takes 0.4 s to load its libraries, longer than most suites take.
+# Writes the file that tells ctest of a test program: an entry for every TOGETHER suites in a row.
+# Opening OpenImageIO with its libraries takes 0.2 s, longer than most suites take.
 #   cmake -DPROGRAM=... -DLEFT_OUT=REGEX -DTOGETHER=N -DCOST=COST -DOUTPUT=... -P test_suites.cmake
 execute_process(COMMAND ${PROGRAM} --gtest_list_tests OUTPUT_VARIABLE listed COMMAND_ERROR_IS_FATAL ANY)
 string(REGEX MATCHALL "\n[^ \n]+\\.( +#[^\n]*)?\n" suites "${listed}")

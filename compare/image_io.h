@@ -1,4 +1,4 @@
-// image_io.h: reading and writing image files. With difference.cpp the only user of OpenImageIO.
+// image_io.h: reading and writing image files, through OpenImageIO.
 #pragma once
 
 #include <cstdint>
@@ -11,6 +11,9 @@
 #include "scene/picture.h"
 
 namespace litmus {
+
+// What opens a file, encodes one or asks for the version throws Refusal where OpenImageIO's module
+// (compare/module) is not beside the program.
 
 using Metadata = std::map<std::string, std::string>;
 

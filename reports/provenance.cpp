@@ -9,6 +9,7 @@
 
 #include "commit.h"
 #include "compare/image_io.h"
+#include "scene/refusal.h"
 
 namespace litmus {
 namespace {
@@ -35,6 +36,14 @@ std::string system_name() {
   return fmt::format("{} {}", name.sysname, name.machine);
 }
 
+std::string image_version() {
+  try {
+    return image_library_version();
+  } catch (const Refusal&) {
+    return "cannot be opened";
+  }
+}
+
 }  // namespace
 
 Provenance provenance_of(std::span<const Driver* const> drivers) {
@@ -51,7 +60,7 @@ Provenance provenance_of(std::span<const Driver* const> drivers) {
     provenance.versions.push_back(
         {driver->title, installation ? installation->version : "not installed"});
   }
-  provenance.versions.push_back({"OpenImageIO", image_library_version()});
+  provenance.versions.push_back({"OpenImageIO", image_version()});
   return provenance;
 }
 

@@ -15,7 +15,6 @@ namespace litmus {
 namespace {
 
 constexpr int kMostAreaSamples = 512, kMostGrid = 64, kMostPixelSamples = 256;
-constexpr int kAllBetween = 10;  // bisections: enough for all numbers up to 1024
 // Below the first number of samples that keeps the error: down to this share of it, in so many
 // steps, unless one of them costs that many times what is known.
 constexpr double kNearby = 0.7;
@@ -34,6 +33,9 @@ bool has_area_light(const Scene& scene) {
     return std::holds_alternative<AreaLight>(light.shape);
   });
 }
+
+/// Which numbers of samples a sampler knows between two powers of two.
+enum class Between { All, Middle };
 
 struct Measured {
   Rendering rendering;
@@ -75,12 +77,11 @@ struct Tuner {
     return keeps;
   }
 
-  /// Tries with(1), with(2), with(4), ... as far as they are cheaper than what is known; then up to
-  /// `between` of those between the last that fails and the first that keeps the error. The error
-  /// of a grid does not fall at every step: some of a few samples less are tried as well.
+  /// Tries with(1), with(2), with(4), ... as far as they are cheaper than what is known; then those
+  /// between the last that fails and the first that keeps the error, all of them or the middle one.
+  /// The error of a grid does not fall at every step: a few with fewer samples are tried as well.
   template <class With>
-  void climb(const Rendering& judge, double own_error, int most, int between, With with) {
-    const bool nearby = between == kAllBetween;
+  void climb(const Rendering& judge, double own_error, int most, Between between, With with) {
     bool cheaper = true;
     double price = 0;
     const auto keeps = [&](int n) {
@@ -92,12 +93,14 @@ struct Tuner {
     };
     int fails = 0, holds = 0;
     for (int n = 1; n <= most && cheaper && holds == 0; n *= 2) (keeps(n) ? holds : fails) = n;
-    while (between-- > 0 && holds - fails > 1) {
+    if (holds == 0) return;
+    while (holds - fails > 1) {
       const int middle = (holds + fails) / 2;
       (keeps(middle) ? holds : fails) = middle;
+      if (between == Between::Middle) return;
     }
     const int step = std::max(1, int(std::lround((1 - kNearby) * holds / kNearbyTries)));
-    for (int n = fails - step; nearby && n >= std::max(1.0, kNearby * holds); n -= step) {
+    for (int n = fails - step; n >= std::max(1.0, kNearby * holds); n -= step) {
       keeps(n);
       if (price > kNearbyPrice * result.seconds) break;
     }
@@ -151,7 +154,7 @@ void climb_samplers(Tuner& tuner, const Judge& judge) {
     // The certified sampler knows 2^k and 3 * 2^k only.
     const bool certified = sampler == Sampler::Certified;
     tuner.climb(judge.rendering, judge.own_error, certified ? kMostAreaSamples : kMostGrid,
-                certified ? 1 : kAllBetween, [&](int n) {
+                certified ? Between::Middle : Between::All, [&](int n) {
                   return TuneSettings{sampler, n, pixel_samples, precision};
                 });
   };
@@ -202,7 +205,7 @@ Tuned tune(const Scene& scene, const TuneOptions& options) {
   // What is known keeps the error with one number of samples a pixel; fewer may do.
   const TuneSettings known = tuner.result.settings;
   if (pixels) {
-    tuner.climb(judge.rendering, judge.own_error, known.pixel_samples, kAllBetween, [&](int n) {
+    tuner.climb(judge.rendering, judge.own_error, known.pixel_samples, Between::All, [&](int n) {
       TuneSettings one = known;
       one.pixel_samples = n;
       return one;

@@ -1,4 +1,6 @@
 // cli_test.cpp: the program as a person uses it: exit codes, messages, files.
+#include <gmock/gmock.h>
+
 #include <filesystem>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -57,6 +59,21 @@ TEST_F(Program, RefusesUnknownWordsWithTwo) {
   EXPECT_EQ(litmus("run --references sometimes").code, 2);
   EXPECT_EQ(litmus("run no-such-scene").code, 2);
   EXPECT_EQ(litmus("run d1 --references stored --control no-such-control").code, 2);
+}
+
+TEST_F(Program, NeedsTheImageModuleForImagesAlone) {
+  fs::copy_file(LITMUS_PROGRAM, folder / "alone");
+  const auto alone = [&](const std::string& arguments) { return run("./alone", arguments); };
+  for (const char* command : {"list", "render --help", "explain p1 3 4 --reference none"})
+    EXPECT_EQ(alone(command).code, 0) << command;
+  const Ended ended = alone("render p1 -o x.exr");
+  EXPECT_EQ(ended.code, 2);
+  EXPECT_THAT(ended.text, testing::AllOf(testing::HasSubstr("liblitmus_images.so"),
+                                         testing::HasSubstr("belongs into the program's folder")));
+  EXPECT_FALSE(fs::exists(folder / "x.exr"));
+  const Ended doctor = alone("doctor");
+  EXPECT_EQ(doctor.code, 3);
+  EXPECT_THAT(doctor.text, testing::HasSubstr("OpenImageIO     missing"));
 }
 
 TEST_F(Program, ListsTheCanonicalScenesForMachines) {

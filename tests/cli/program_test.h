@@ -33,9 +33,15 @@ class ProgramTest : public testing::Test {
 
   /// Runs litmus in the test's folder, with a store of its own and outside of any CI.
   Ended litmus(const std::string& arguments, const std::string& environment = "") const {
+    return run(LITMUS_PROGRAM, arguments, environment);
+  }
+
+  /// The same of another copy of the program.
+  Ended run(const std::string& program, const std::string& arguments,
+            const std::string& environment = "") const {
     const std::string line = "cd '" + folder.string() + "' && env -u GITHUB_ACTIONS " +
-                             "XDG_CACHE_HOME='" + folder.string() + "/cache' " + environment +
-                             " " LITMUS_PROGRAM " " + arguments + " 2>&1";
+                             "XDG_CACHE_HOME='" + folder.string() + "/cache' " + environment + " " +
+                             program + " " + arguments + " 2>&1";
     FILE* pipe = popen(line.c_str(), "r");
     Ended ended;
     std::array<char, 4096> buffer;

@@ -12,6 +12,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include "compare/image_io.h"
 #include "reference/hash.h"
 #include "reference/obtain.h"
 #include "reference/process.h"
@@ -125,6 +126,7 @@ std::chrono::microseconds time_to_an_entry(const fs::path& folder) {
 
 /// Kills 100 runs at random moments and counts what they leave.
 nlohmann::json kill_runs(const fs::path& folder) {
+  image_library_version();  // opened before the forks, or most moments would fall into opening it
   const auto root = folder / "store";
   std::mt19937 random(20);
   std::uniform_int_distribution<long> moments(1, 3 * time_to_an_entry(folder).count());
