@@ -46,14 +46,14 @@ void add(Difference& result, Sums& sums, const glm::dvec3& ours, const glm::dvec
   double worst = 0;
   for (int c = 0; c < 3; ++c) {
     const Wide d = Wide(ours[c]) - Wide(theirs[c]);
-    const Wide magnitude = std::abs(d);
+    const double magnitude = narrow(std::abs(d));
     sums.signed_sum += d;
-    sums.absolute += magnitude;
+    sums.absolute += std::abs(d);
     sums.squares += d * d;
-    sums.magnitudes.push_back(narrow(magnitude));
-    worst = std::max(worst, narrow(magnitude));
-    const Wide scale = std::max(std::abs(theirs[c]), kRelativeFloor);
-    result.max_relative = std::max(result.max_relative, narrow(magnitude / scale));
+    sums.magnitudes.push_back(magnitude);
+    worst = std::max(worst, magnitude);
+    const double scale = std::max(std::abs(theirs[c]), kRelativeFloor);
+    if (magnitude > result.max_relative * scale) result.max_relative = magnitude / scale;
   }
   if (worst > result.max_abs) {
     result.max_abs = worst;
@@ -78,6 +78,7 @@ void finish(Difference& result, Sums& sums) {
   std::stable_sort(result.over.begin(), result.over.end(),
                    [](const auto& a, const auto& b) { return a.max_abs > b.max_abs; });
   if (sums.magnitudes.empty()) return;
+  result.max_relative = narrow(result.max_relative);
   const auto count = Wide(sums.magnitudes.size());
   result.bias = narrow(sums.signed_sum / count);
   result.mean_abs = narrow(sums.absolute / count);
@@ -117,6 +118,7 @@ Difference difference(const Picture& ours, const Picture& theirs,
   check_sizes(ours, theirs, members.size());
   Difference result;
   Sums sums;
+  sums.magnitudes.reserve(3 * ours.pixels.size());
   for (int y = 0; y < ours.height; ++y)
     for (int x = 0; x < ours.width; ++x) {
       const std::size_t i = std::size_t(y) * std::size_t(ours.width) + std::size_t(x);

@@ -48,7 +48,7 @@ class CandidateExample : public testing::Test {
 };
 
 TEST_F(CandidateExample, PassesWhenItIsRightAndFailsOnSpotsOnlyWithItsMistake) {
-  EXPECT_EQ(run("d2 d5 p4 s1 s5 r1 c2"), 1);
+  EXPECT_EQ(run("d2 p4 s5 r1"), 1);
   std::set<std::string> failed, compared;
   for (const auto& row : rows()) {
     compared.insert(row["reference"]);
