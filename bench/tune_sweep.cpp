@@ -37,7 +37,8 @@ std::vector<Ladder> area_ladders(int pixel_samples) {
   }
   for (int n = 1; n <= 128; n *= 2) {
     certified.push_back({Sampler::Certified, n, pixel_samples, Precision::Double});
-    certified.push_back({Sampler::Certified, n + n / 2, pixel_samples, Precision::Double});
+    if (n > 1)
+      certified.push_back({Sampler::Certified, n + n / 2, pixel_samples, Precision::Double});
   }
   return {certified, in_float, in_double, gauss};
 }
@@ -69,10 +70,12 @@ std::optional<Found> cheapest(const Scene& scene, const std::vector<Ladder>& lad
   std::optional<Found> best;
   for (const Ladder& ladder : ladders) {
     for (const TuneSettings& settings : ladder) {
+      const double dear = kTooDear * std::min(known, best ? best->seconds : kInfinity);
       const double start = cpu_seconds();
       const Picture picture = render(scene, settings, 1, true).whole;
       double seconds = cpu_seconds() - start;
-      const bool too_dear = seconds > kTooDear * std::min(known, best ? best->seconds : kInfinity);
+      if (seconds > dear) seconds = std::min(seconds, seconds_of(scene, settings));
+      const bool too_dear = seconds > dear;
       const double error = error_of(pixel_errors(picture, truth), ErrorMetric::Max);
       if (error <= max_error) {
         for (int repeat = 0; repeat < 2; ++repeat)

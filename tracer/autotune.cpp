@@ -20,6 +20,7 @@ constexpr int kMostAreaSamples = 512, kMostGrid = 64, kMostPixelSamples = 256;
 constexpr double kNearby = 0.7;
 constexpr int kNearbyTries = 6;
 constexpr double kNearbyPrice = 1.5;
+constexpr int kLattice = 16;  // pictures that judge together
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // Of the error allowed: what a judge may be off by itself. The errors of pixels fall slowly, so
 // that of two numbers of samples close to each other only a sharp judge lets the smaller pass.
@@ -113,6 +114,27 @@ struct Judge {
   double own_error = kInfinity;
 };
 
+/// The mean of pictures whose samples lie between each other's, no two in one column or row (a
+/// lattice of rank 1): edges along the pixels' sides are met as finely as by kLattice times as many
+/// samples along each.
+Rendering lattice_mean(const Tuner& tuner, int pixel_samples) {
+  Scene changed = tuner.scene;
+  changed.samples = pixel_samples;
+  // In samples from their usual place, to both sides alike.
+  const auto step = [&](int k) { return ((k + 0.5) / kLattice - 0.5) / pixel_samples; };
+  Rendering mean;
+  mean.whole = Picture(changed.width, changed.height);
+  for (int k = 0; k < kLattice; ++k) {
+    RenderOptions options{.threads = tuner.options.threads};
+    options.layers = options.edges = false;
+    options.shift_x = step(k), options.shift_y = step(3 * k % kLattice);
+    const Picture one = render(changed, options).whole;
+    for (std::size_t i = 0; i < one.pixels.size(); ++i)
+      mean.whole.pixels[i] += one.pixels[i] / double(kLattice);
+  }
+  return mean;
+}
+
 /// Doubles whichever number of samples changes the picture more, until neither changes it by much
 /// of what is allowed. Offers each setting before its doubling.
 Judge find_judge(Tuner& tuner, bool area, bool pixels) {
@@ -143,6 +165,13 @@ Judge find_judge(Tuner& tuner, bool area, bool pixels) {
     measured = std::move(to_area ? *by_area : *by_pixels);
     if (by_area && by_pixels) own += to_area ? pixel_change : area_change;
     if (own <= wanted) break;
+  }
+  if (pixels && !area && own > wanted && now.pixel_samples == kMostPixelSamples) {
+    // Five times as dear as the finest picture.
+    const Rendering half = lattice_mean(tuner, kMostPixelSamples / 4);
+    Rendering mean = lattice_mean(tuner, kMostPixelSamples / 2);
+    const double left = tuner.apart(half, mean) + kRounding;
+    if (left < own) return {std::move(mean), left};
   }
   return {std::move(measured.rendering), own};
 }

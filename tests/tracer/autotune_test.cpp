@@ -100,6 +100,16 @@ TEST(Tune, FiltersPixelsAsFarAsItMust) {
   EXPECT_LE(error_against(scene, tuned.rendering.whole, {Sampler::Scene, 0, 64}), tuned.error);
 }
 
+TEST(Tune, JudgesByALatticeWhereTheFinestGridIsTooCoarse) {
+  Scene scene = floor_from_above(8);
+  scene.objects.push_back({"block", Box{{-1, -1, 0.1}, {0.53, 0.77, 0.5}}, 0, true});
+  scene.lights = {sun({-0.6, -0.35, -1})};
+  scene.samples = 2;
+  const Tuned tuned = tune(scene, {.max_error = 3e-3});
+  ASSERT_TRUE(tuned.met) << "two grids of 128 and 256 samples along a pixel differ by more";
+  EXPECT_LE(error_against(scene, tuned.rendering.whole, {Sampler::Scene, 0, 1000}), tuned.error);
+}
+
 TEST(Tune, SaysSoIfTheErrorCannotBeKept) {
   Scene scene = floor_from_above(16);
   scene.objects.push_back({"block", Box{{-1, -1, 0.1}, {0.53, 0.77, 0.5}}, 0, true});
