@@ -15,14 +15,17 @@
 #include <optional>
 
 #include "scene/load.h"
+#include "tracer/area_sampling.h"
 #include "tracer/autotune.h"
 #include "tracer/cpu_clock.h"
+#include "tracer/pixel_lattice.h"
 
 namespace litmus {
 namespace {
 
 constexpr double kTooDear = 1.6;
 constexpr int kTurns = 9;
+constexpr int kTruthSamples = 150;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Settings of one sampler and precision, each costlier than the one before.
@@ -98,20 +101,15 @@ double ratio(const Scene& scene, const TuneSettings& first, const TuneSettings& 
   return least_first / least_second;
 }
 
-bool has_area_light(const Scene& scene) {
-  return std::ranges::any_of(scene.lights, [](const Light& light) {
-    return std::holds_alternative<AreaLight>(light.shape);
-  });
-}
-
 void print_row(const Scene& scene, double max_error) {
   const Tuned tuned = tune(scene, {.max_error = max_error, .threads = 1});
-  const bool area = has_area_light(scene);
+  const bool area = integrates_area_lights(scene);
   const int samples = tuned.settings.pixel_samples;
-  const TuneSettings finest =
-      area ? TuneSettings{Sampler::Certified, 256, samples} : TuneSettings{Sampler::Scene, 0, 256};
+  // Not the lattice that the tuner may have judged by.
+  const Picture truth = area ? render(scene, {Sampler::Certified, 256, samples}, 0, true).whole
+                             : lattice_mean(scene, kTruthSamples, 0);
   const std::optional<Found> best = cheapest(scene, area ? area_ladders(samples) : pixel_ladders(),
-                                             render(scene, finest, 0, true).whole, max_error,
+                                             truth, max_error,
                                              tuned.met ? tuned.seconds : kInfinity);
   const std::string chosen = tuned.met ? words(tuned.settings) : "nothing keeps it";
   if (!best || !tuned.met) {
@@ -126,7 +124,7 @@ void print_row(const Scene& scene, double max_error) {
 
 /// With area lights or several samples a pixel; all others have the precision alone to choose.
 bool has_a_choice(const Scene& scene) {
-  return scene.samples > 1 || (has_area_light(scene) && scene.shading == Shading::Equation);
+  return scene.samples > 1 || integrates_area_lights(scene);
 }
 
 void sweep(const std::vector<std::string>& names, int width, const std::vector<double>& errors) {

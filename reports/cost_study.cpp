@@ -9,16 +9,11 @@
 #include "reports/cost_fit.h"
 #include "reports/cost_measure.h"
 #include "reports/cost_references.h"
+#include "tracer/area_sampling.h"
 #include "tracer/autotune.h"
 
 namespace litmus {
 namespace {
-
-bool has_area_light(const Scene& scene) {
-  return std::any_of(scene.lights.begin(), scene.lights.end(), [](const Light& light) {
-    return std::holds_alternative<AreaLight>(light.shape);
-  });
-}
 
 Scene resized(Scene scene, const CostOptions& options) {
   scene = cost_sized(std::move(scene), options);
@@ -145,7 +140,7 @@ CostStudy measure_cost(const Scene& given, const CostOptions& options) {
   const auto say = [&](const std::string& text) {
     if (options.progress) options.progress(text);
   };
-  if (has_area_light(scene) && scene.shading == Shading::Equation) {
+  if (integrates_area_lights(scene)) {
     say("area lights");
     study.topics.push_back(area_topic(scene, options, study));
   }

@@ -1,6 +1,7 @@
 // area_sampling.cpp: where the samples lie.
 #include "tracer/area_sampling.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -67,6 +68,13 @@ std::vector<LightSample> r2(int n, std::uint64_t pixel) {
 }
 
 }  // namespace
+
+bool integrates_area_lights(const Scene& scene) {
+  const bool area = std::ranges::any_of(scene.lights, [](const Light& light) {
+    return std::holds_alternative<AreaLight>(light.shape);
+  });
+  return area && scene.shading == Shading::Equation;
+}
 
 std::string_view sampler_name(Sampler sampler) {
   static constexpr std::string_view kNames[] = {"scene",    "centres", "corners",  "gauss-legendre",

@@ -17,6 +17,10 @@ inline constexpr Sampler kSamplers[] = {Sampler::Scene,    Sampler::Centres,  Sa
 /// "scene", "centres", "corners", "gauss-legendre", "jittered", "r2" or "certified".
 std::string_view sampler_name(Sampler sampler);
 
+/// Whether the scene stands for integrals over area lights, so that their samples may be chosen: it
+/// has an area light, and shading is not "sample-code", where each sample counts as a light.
+bool integrates_area_lights(const Scene& scene);
+
 /// A sample on a rectangle of sides 1 around (0, 0): u along `right`, v along `up` (slide 20).
 struct LightSample {
   double u, v;    ///< -1/2 to 1/2

@@ -10,6 +10,7 @@
 
 #include "tracer/area_sampling.h"
 #include "tracer/cpu_clock.h"
+#include "tracer/pixel_lattice.h"
 
 namespace litmus {
 namespace {
@@ -20,7 +21,7 @@ constexpr int kMostAreaSamples = 512, kMostGrid = 64, kMostPixelSamples = 256;
 constexpr double kNearby = 0.7;
 constexpr int kNearbyTries = 6;
 constexpr double kNearbyPrice = 1.5;
-constexpr int kLattice = 16;  // pictures that judge together
+constexpr double kLatticePrice = kLatticeGrids * (1 / 4. + 1 / 16.);  // of the finest picture
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // Of the error allowed: what a judge may be off by itself. The errors of pixels fall slowly, so
 // that of two numbers of samples close to each other only a sharp judge lets the smaller pass.
@@ -29,18 +30,18 @@ constexpr double kWorthRepeating = 0.2;  // seconds: shorter times are taken thr
 // Rounding of double precision on any scene that the loader accepts is far below this.
 constexpr double kRounding = 1e-9;
 
-bool has_area_light(const Scene& scene) {
-  return std::any_of(scene.lights.begin(), scene.lights.end(), [](const Light& light) {
-    return std::holds_alternative<AreaLight>(light.shape);
-  });
-}
-
 /// Which numbers of samples a sampler knows between two powers of two.
 enum class Between { All, Middle };
 
 struct Measured {
   Rendering rendering;
   double seconds;
+};
+
+/// A picture that is exact enough to judge others, and what is left of its own error.
+struct Judge {
+  Picture picture;
+  double own_error = kInfinity;
 };
 
 struct Tuner {
@@ -60,8 +61,8 @@ struct Tuner {
     return measured;
   }
 
-  double apart(const Rendering& a, const Rendering& b) const {
-    return error_of(pixel_errors(a.whole, b.whole), options.metric);
+  double apart(const Picture& a, const Picture& b) const {
+    return error_of(pixel_errors(a, b), options.metric);
   }
 
   /// Notes what was tried, and keeps it if it is the cheapest so far that keeps the error.
@@ -82,14 +83,14 @@ struct Tuner {
   /// between the last that fails and the first that keeps the error, all of them or the middle one.
   /// The error of a grid does not fall at every step: a few with fewer samples are tried as well.
   template <class With>
-  void climb(const Rendering& judge, double own_error, int most, Between between, With with) {
+  void climb(const Judge& judge, int most, Between between, With with) {
     bool cheaper = true;
     double price = 0;
     const auto keeps = [&](int n) {
       Measured one = measure(with(n));
       cheaper = !result.met || one.seconds < result.seconds;
       price = one.seconds;
-      const double error = apart(one.rendering, judge) + own_error;
+      const double error = apart(one.rendering.whole, judge.picture) + judge.own_error;
       return offer(with(n), error, std::move(one));
     };
     int fails = 0, holds = 0;
@@ -108,31 +109,13 @@ struct Tuner {
   }
 };
 
-/// A picture that is exact enough to judge others, and what is left of its own error.
-struct Judge {
-  Rendering rendering;
-  double own_error = kInfinity;
-};
-
-/// The mean of pictures whose samples lie between each other's, no two in one column or row (a
-/// lattice of rank 1): edges along the pixels' sides are met as finely as by kLattice times as many
-/// samples along each.
-Rendering lattice_mean(const Tuner& tuner, int pixel_samples) {
-  Scene changed = tuner.scene;
-  changed.samples = pixel_samples;
-  // In samples from their usual place, to both sides alike.
-  const auto step = [&](int k) { return ((k + 0.5) / kLattice - 0.5) / pixel_samples; };
-  Rendering mean;
-  mean.whole = Picture(changed.width, changed.height);
-  for (int k = 0; k < kLattice; ++k) {
-    RenderOptions options{.threads = tuner.options.threads};
-    options.layers = options.edges = false;
-    options.shift_x = step(k), options.shift_y = step(3 * k % kLattice);
-    const Picture one = render(changed, options).whole;
-    for (std::size_t i = 0; i < one.pixels.size(); ++i)
-      mean.whole.pixels[i] += one.pixels[i] / double(kLattice);
-  }
-  return mean;
+/// Takes a lattice for the judge if less of its own error is left.
+void sharpen(const Tuner& tuner, Judge& judge) {
+  const int threads = tuner.options.threads;
+  const Picture half = lattice_mean(tuner.scene, kMostPixelSamples / 4, threads);
+  Picture mean = lattice_mean(tuner.scene, kMostPixelSamples / 2, threads);
+  const double left = tuner.apart(half, mean) + kRounding;
+  if (left < judge.own_error) judge = {std::move(mean), left};
 }
 
 /// Doubles whichever number of samples changes the picture more, until neither changes it by much
@@ -149,11 +132,11 @@ Judge find_judge(Tuner& tuner, bool area, bool pixels) {
     double area_change = 0, pixel_change = 0;
     if (area && now.area_samples < kMostAreaSamples) {
       by_area = tuner.measure(more_area);
-      area_change = tuner.apart(by_area->rendering, measured.rendering);
+      area_change = tuner.apart(by_area->rendering.whole, measured.rendering.whole);
     }
     if (pixels && now.pixel_samples < kMostPixelSamples) {
       by_pixels = tuner.measure(more_pixels);
-      pixel_change = tuner.apart(by_pixels->rendering, measured.rendering);
+      pixel_change = tuner.apart(by_pixels->rendering.whole, measured.rendering.whole);
     }
     if (!by_area && !by_pixels) break;
     own = 0.5 * area_change + pixel_change + kRounding;
@@ -166,14 +149,11 @@ Judge find_judge(Tuner& tuner, bool area, bool pixels) {
     if (by_area && by_pixels) own += to_area ? pixel_change : area_change;
     if (own <= wanted) break;
   }
-  if (pixels && !area && own > wanted && now.pixel_samples == kMostPixelSamples) {
-    // Five times as dear as the finest picture.
-    const Rendering half = lattice_mean(tuner, kMostPixelSamples / 4);
-    Rendering mean = lattice_mean(tuner, kMostPixelSamples / 2);
-    const double left = tuner.apart(half, mean) + kRounding;
-    if (left < own) return {std::move(mean), left};
-  }
-  return {std::move(measured.rendering), own};
+  Judge judge{std::move(measured.rendering.whole), own};
+  const bool too_coarse = own > wanted && now.pixel_samples == kMostPixelSamples;
+  if (too_coarse && !area && kLatticePrice * measured.seconds < tuner.options.time_limit)
+    sharpen(tuner, judge);
+  return judge;
 }
 
 /// Every sampler of area lights, with as many samples a pixel as the cheapest known has.
@@ -182,7 +162,7 @@ void climb_samplers(Tuner& tuner, const Judge& judge) {
   const auto climb = [&](Sampler sampler, Precision precision) {
     // The certified sampler knows 2^k and 3 * 2^k only.
     const bool certified = sampler == Sampler::Certified;
-    tuner.climb(judge.rendering, judge.own_error, certified ? kMostAreaSamples : kMostGrid,
+    tuner.climb(judge, certified ? kMostAreaSamples : kMostGrid,
                 certified ? Between::Middle : Between::All, [&](int n) {
                   return TuneSettings{sampler, n, pixel_samples, precision};
                 });
@@ -217,13 +197,13 @@ Rendering render(const Scene& scene, const TuneSettings& settings, int threads, 
 
 Tuned tune(const Scene& scene, const TuneOptions& options) {
   Tuner tuner{scene, options};
-  const bool area = has_area_light(scene) && scene.shading == Shading::Equation;
+  const bool area = integrates_area_lights(scene);
   const bool pixels = scene.samples > 1;
   if (!area && !pixels) {
     // Exact but for rounding: the only question is whether float will do.
     const TuneSettings exact{}, coarse{.precision = Precision::Float};
     Measured judge = tuner.measure(exact), in_float = tuner.measure(coarse);
-    const double error = tuner.apart(in_float.rendering, judge.rendering) + kRounding;
+    const double error = tuner.apart(in_float.rendering.whole, judge.rendering.whole) + kRounding;
     tuner.offer(exact, kRounding, std::move(judge));
     tuner.offer(coarse, error, std::move(in_float));
     return std::move(tuner.result);
@@ -234,7 +214,7 @@ Tuned tune(const Scene& scene, const TuneOptions& options) {
   // What is known keeps the error with one number of samples a pixel; fewer may do.
   const TuneSettings known = tuner.result.settings;
   if (pixels) {
-    tuner.climb(judge.rendering, judge.own_error, known.pixel_samples, Between::All, [&](int n) {
+    tuner.climb(judge, known.pixel_samples, Between::All, [&](int n) {
       TuneSettings one = known;
       one.pixel_samples = n;
       return one;
@@ -246,7 +226,7 @@ Tuned tune(const Scene& scene, const TuneOptions& options) {
     TuneSettings in_float = tuner.result.settings;
     in_float.precision = Precision::Float;
     Measured one = tuner.measure(in_float);
-    const double error = tuner.apart(one.rendering, judge.rendering) + judge.own_error;
+    const double error = tuner.apart(one.rendering.whole, judge.picture) + judge.own_error;
     tuner.offer(in_float, error, std::move(one));
   }
   return std::move(tuner.result);

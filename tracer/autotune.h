@@ -44,8 +44,8 @@ struct TuneOptions {
   double max_error = 1e-2;  ///< absolute, linear RGB
   ErrorMetric metric = ErrorMetric::Max;
   int threads = 0;
-  double time_limit =
-      300;  ///< seconds of processor time for one picture; past it nothing is doubled
+  /// Seconds of processor time for one picture (or lattice); past it nothing is doubled.
+  double time_limit = 300;
 };
 
 /// Finds the cheapest settings whose picture keeps options.max_error.
@@ -60,8 +60,7 @@ struct TuneOptions {
 /// judge. Its own error is at most half of that change where errors fall by a factor of 3 or more
 /// at each doubling of n (measured: 3 to 4), and at most the change itself for pixel samples
 /// (factor 2 or more); it is counted into every estimate. Where 256 samples along a pixel do not
-/// get there and no area light is sampled as well, the judge is the mean of 16 grids moved between
-/// each other. Then cheaper settings are tried against the judge: the samplers on a grid, all
+/// get there and no area light is sampled as well, the judge is a lattice (pixel_lattice.h). Then cheaper settings are tried against the judge: the samplers on a grid, all
 /// numbers of samples in between, and float. Of those that keep the error the one that takes the
 /// least processor time wins.
 Tuned tune(const Scene& scene, const TuneOptions& options);
