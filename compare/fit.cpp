@@ -15,7 +15,7 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr std::size_t kMostSamples = 60'000, kFewestSamples = 30;
+constexpr std::size_t kMostSamples = 8'000, kFewestSamples = 30;
 constexpr double kFlatSpread = 0.02;  // theirs within 2 % says nothing about a slope
 constexpr double kTypical = 0.8;      // the quantile of |ours - theirs| that has to be explained
 constexpr double kUnexplained = 0.1;  // what may be left of it
@@ -32,10 +32,15 @@ double quantile(std::vector<double> values, double p) {
   return *nth;
 }
 
-/// The lit samples, sorted by theirs.
-std::vector<Point2> lit_samples(const Picture& ours, const Picture& theirs,
-                                std::span<const std::uint8_t> edge) {
+bool by_theirs(const Point2& a, const Point2& b) {
+  return a.theirs != b.theirs ? a.theirs < b.theirs : a.ours < b.ours;
+}
+
+/// The finite samples off the edges where theirs is above 0.
+std::vector<Point2> positive_samples(const Picture& ours, const Picture& theirs,
+                                     std::span<const std::uint8_t> edge) {
   std::vector<Point2> all;
+  all.reserve(3 * theirs.pixels.size());
   for (std::size_t i = 0; i < theirs.pixels.size(); ++i) {
     if ((!edge.empty() && edge[i] != 0) || !is_finite(ours.pixels[i]) ||
         !is_finite(theirs.pixels[i]))
@@ -43,15 +48,24 @@ std::vector<Point2> lit_samples(const Picture& ours, const Picture& theirs,
     for (int c = 0; c < 3; ++c)
       if (theirs.pixels[i][c] > 0) all.push_back({theirs.pixels[i][c], ours.pixels[i][c]});
   }
-  std::sort(all.begin(), all.end(), [](const Point2& a, const Point2& b) {
-    return a.theirs != b.theirs ? a.theirs < b.theirs : a.ours < b.ours;
-  });
+  return all;
+}
+
+/// Of the lit samples as many as tell a line, sorted by theirs.
+std::vector<Point2> lit_samples(const Picture& ours, const Picture& theirs,
+                                std::span<const std::uint8_t> edge) {
+  const std::vector<Point2> all = positive_samples(ours, theirs, edge);
   if (all.empty()) return all;
-  const double largest = all[std::size_t(0.999 * double(all.size() - 1))].theirs;
-  std::erase_if(all, [&](const Point2& p) { return !(p.theirs > kLitPart * largest); });
+  std::vector<double> values;
+  values.reserve(all.size());
+  for (const Point2& p : all) values.push_back(p.theirs);
+  const double least = kLitPart * quantile(std::move(values), 0.999);
+  std::size_t stride = all.size() / kMostSamples + 1;
+  if (stride % 3 == 0) ++stride;  // or only one channel is seen
   std::vector<Point2> some;
-  const std::size_t stride = all.size() / kMostSamples + 1;
-  for (std::size_t i = 0; i < all.size(); i += stride) some.push_back(all[i]);
+  for (std::size_t i = 0; i < all.size(); i += stride)
+    if (all[i].theirs > least) some.push_back(all[i]);
+  std::sort(some.begin(), some.end(), by_theirs);
   return some;
 }
 

@@ -16,6 +16,8 @@ std::vector<ShiftObservation> observe(const PicturePair& pair, const Warp& warp)
   const Picture& ours = pair.ours;
   const double middle_x = (ours.width - 1) / 2.0, middle_y = (ours.height - 1) / 2.0;
   std::vector<ShiftObservation> result;
+  const auto along = [&](int size) { return std::size_t((size + pair.stride - 1) / pair.stride); };
+  result.reserve(along(ours.width) * along(ours.height));
   for (int y = 0; y < ours.height; y += pair.stride) {
     for (int x = 0; x < ours.width; x += pair.stride) {
       const double u = x - middle_x, v = y - middle_y;

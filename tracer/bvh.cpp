@@ -40,41 +40,64 @@ struct Bounds {
 };
 
 template <Real R>
+Bounds<R> bounds_of(const std::array<Vec<R>, 3>& triangle) {
+  Bounds<R> box;
+  for (const Vec<R>& corner : triangle) box.add(corner, corner);
+  return box;
+}
+
+/// Boxes enclose in R; where to split them is a matter of cost, for which double is enough.
+template <Real R>
 struct Builder {
+  using Cost = std::conditional_t<(sizeof(R) > sizeof(double)), double, R>;
+
+  const std::vector<std::array<Vec<R>, 3>>& triangles;
   std::vector<BinaryNode<R>> nodes;  ///< nodes[0] is the root
   std::vector<std::uint32_t> order;  ///< triangle numbers, leaf by leaf
-  std::vector<Bounds<R>> bounds;
-  std::vector<Vec<R>> centers;
+  std::vector<Bounds<Cost>> bounds;
+  std::vector<Vec<Cost>> centers;
 
-  int bin_of(std::uint32_t triangle, int axis, R low, R extent) const {
-    const int bin = int((centers[triangle][axis] - low) / extent * R(kBins));
+  explicit Builder(const std::vector<std::array<Vec<R>, 3>>& given)
+      : triangles(given), order(given.size()) {
+    std::iota(order.begin(), order.end(), 0u);
+    for (const auto& triangle : triangles) {
+      const Bounds<R> box = bounds_of(triangle);
+      bounds.push_back({rounded(box.min), rounded(box.max)});
+      centers.push_back(Cost(0.5) * bounds.back().min + Cost(0.5) * bounds.back().max);
+    }
+  }
+
+  static Vec<Cost> rounded(const Vec<R>& v) { return {Cost(v.x), Cost(v.y), Cost(v.z)}; }
+
+  int bin_of(std::uint32_t triangle, int axis, Cost low, Cost extent) const {
+    const int bin = int((centers[triangle][axis] - low) / extent * Cost(kBins));
     return std::clamp(bin, 0, kBins - 1);
   }
 
   /// The last bin of the left part with the least expected cost, by surface area.
-  int cheapest_split(std::size_t begin, std::size_t end, int axis, R low, R extent) const {
-    Bounds<R> boxes[kBins];
+  int cheapest_split(std::size_t begin, std::size_t end, int axis, Cost low, Cost extent) const {
+    Bounds<Cost> boxes[kBins];
     std::size_t counts[kBins] = {};
     for (std::size_t i = begin; i < end; ++i) {
       const int bin = bin_of(order[i], axis, low, extent);
       boxes[bin].add(bounds[order[i]]);
       ++counts[bin];
     }
-    R right_cost[kBins] = {};
-    Bounds<R> box;
+    Cost right_cost[kBins] = {};
+    Bounds<Cost> box;
     for (std::size_t bin = kBins - 1, count = 0; bin > 0; --bin) {
       box.add(boxes[bin]);
       count += counts[bin];
-      right_cost[bin] = count == 0 ? R(0) : box.half_area() * R(double(count));
+      right_cost[bin] = count == 0 ? Cost(0) : box.half_area() * Cost(double(count));
     }
     int best = 0;
-    R best_cost = std::numeric_limits<R>::infinity();
+    Cost best_cost = std::numeric_limits<Cost>::infinity();
     box = {};
     for (std::size_t bin = 0, count = 0; bin + 1 < kBins; ++bin) {
       box.add(boxes[bin]);
       count += counts[bin];
       if (count == 0 || count == end - begin) continue;
-      const R cost = box.half_area() * R(double(count)) + right_cost[bin + 1];
+      const Cost cost = box.half_area() * Cost(double(count)) + right_cost[bin + 1];
       if (cost < best_cost) best_cost = cost, best = int(bin);
     }
     return best;
@@ -83,20 +106,18 @@ struct Builder {
   void build(std::size_t begin, std::size_t end, int depth) {
     const std::size_t index = nodes.size();
     nodes.emplace_back();
-    Bounds<R> box, center_box;
-    for (std::size_t i = begin; i < end; ++i) {
-      box.add(bounds[order[i]]);
+    Bounds<Cost> center_box;
+    for (std::size_t i = begin; i < end; ++i)
       center_box.add(centers[order[i]], centers[order[i]]);
-    }
-    nodes[index].min = box.min, nodes[index].max = box.max;
 
     // Split along the longest side of the box of centres, unless all centres coincide.
-    const Vec<R> extent = center_box.size();
+    const Vec<Cost> extent = center_box.size();
     const int axis =
         extent.x > extent.y ? (extent.x > extent.z ? 0 : 2) : (extent.y > extent.z ? 1 : 2);
     if (end - begin <= kLeafSize || !(extent[axis] > 0) || depth == kMaximumDepth) {
-      nodes[index].first = std::uint32_t(begin);
-      nodes[index].count = std::uint32_t(end - begin);
+      Bounds<R> box;
+      for (std::size_t i = begin; i < end; ++i) box.add(bounds_of(triangles[order[i]]));
+      nodes[index] = {box.min, box.max, std::uint32_t(begin), std::uint32_t(end - begin)};
       return;
     }
     const int split = cheapest_split(begin, end, axis, center_box.min[axis], extent[axis]);
@@ -107,8 +128,11 @@ struct Builder {
     std::size_t mid = std::size_t(middle - first);
     if (mid == begin || mid == end) mid = begin + (end - begin) / 2;
     build(begin, mid, depth + 1);
-    nodes[index].first = std::uint32_t(nodes.size());
+    const std::size_t right = nodes.size();
     build(mid, end, depth + 1);
+    Bounds<R> box{nodes[index + 1].min, nodes[index + 1].max};
+    box.add(nodes[right].min, nodes[right].max);
+    nodes[index] = {box.min, box.max, std::uint32_t(right), 0};
   }
 };
 
@@ -116,7 +140,6 @@ struct Builder {
 template <Real R>
 struct Widener {
   const Builder<R>& binary;
-  const std::vector<std::array<Vec<R>, 3>>& triangles;
   const std::vector<int>& objects;
   Bvh<R> bvh;
 
@@ -152,7 +175,7 @@ struct Widener {
       block.numbers[place] = binary.order[leaf.first + i];
       block.objects[place] = std::uint32_t(objects[block.numbers[place]]);
       for (int k = 0; k < 3; ++k) {
-        const Vec<R>& corner = triangles[block.numbers[place]][std::size_t(k)];
+        const Vec<R>& corner = binary.triangles[block.numbers[place]][std::size_t(k)];
         for (int axis = 0; axis < 3; ++axis) block.corners[k][axis][place] = corner[axis];
       }
     }
@@ -187,18 +210,10 @@ template <Real R>
 Bvh<R> build_bvh(const std::vector<std::array<Vec<R>, 3>>& triangles,
                  const std::vector<int>& objects) {
   if (triangles.empty()) return {};
-  Builder<R> builder;
-  builder.order.resize(triangles.size());
-  std::iota(builder.order.begin(), builder.order.end(), 0u);
-  for (const auto& triangle : triangles) {
-    Bounds<R> box;
-    for (const Vec<R>& corner : triangle) box.add(corner, corner);
-    builder.bounds.push_back(box);
-    builder.centers.push_back(R(0.5) * box.min + R(0.5) * box.max);
-  }
+  Builder<R> builder(triangles);
   builder.build(0, triangles.size(), 0);
   const BinaryNode<R>& root = builder.nodes[0];
-  Widener<R> widener{builder, triangles, objects, {{}, {}, root.min, root.max}};
+  Widener<R> widener{builder, objects, {{}, {}, root.min, root.max}};
   widener.add_node(root.count > 0 ? std::vector<std::uint32_t>{0} : widener.opened(0));
   return std::move(widener.bvh);
 }
