@@ -44,9 +44,15 @@ std::string image_version() {
   }
 }
 
+std::string version_of(const Driver& driver, bool asked) {
+  if (!asked) return "not started: stored images alone";
+  const auto installation = driver.find();
+  return installation ? installation->version : "not installed";
+}
+
 }  // namespace
 
-Provenance provenance_of(std::span<const Driver* const> drivers) {
+Provenance provenance_of(std::span<const Driver* const> drivers, bool asked) {
   Provenance provenance;
   provenance.litmus_version = LITMUS_VERSION;
   provenance.commit = LITMUS_COMMIT;
@@ -55,11 +61,8 @@ Provenance provenance_of(std::span<const Driver* const> drivers) {
   provenance.cpu = cpu_model();
   provenance.system = system_name();
   provenance.threads = int(std::thread::hardware_concurrency());
-  for (const Driver* driver : drivers) {
-    const auto installation = driver->find();
-    provenance.versions.push_back(
-        {driver->title, installation ? installation->version : "not installed"});
-  }
+  for (const Driver* driver : drivers)
+    provenance.versions.push_back({driver->title, version_of(*driver, asked)});
   provenance.versions.push_back({"OpenImageIO", image_version()});
   return provenance;
 }

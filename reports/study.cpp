@@ -85,8 +85,8 @@ Study run_study(std::span<const Scene> scenes, const StudyOptions& options) {
     throw Refusal(
         fmt::format("--control: there is no \"{}\"; see litmus run --help", options.control));
   }
-  // Asking the renderers for their versions takes as long as loading them.
-  auto provenance = std::async(std::launch::async, [&] { return provenance_of(drivers); });
+  const bool asked = options.native || options.obtain.sources != Sources::Stored;
+  auto provenance = std::async(std::launch::async, [&] { return provenance_of(drivers, asked); });
   const std::vector<ExtraSource> extras = obtain_extras(scenes, options);
   std::vector<std::vector<ObtainedReference>> references =
       obtain_all(scenes, drivers, options.obtain);
