@@ -39,10 +39,15 @@ std::string undetermined(const ShiftFit& fit, double allowed) {
   return fit.converged ? "" : "no shift brings the pictures together";
 }
 
-Registration estimate(const PicturePair& pair) {
+/// The error of a fit that is there anyway.
+double allowed_error(const PicturePair& pair) {
+  return 3 * std::max(pair.noise * pair.noise, kFloatNoise * kFloatNoise);
+}
+
+/// The shift of a fit, and whether it is to be believed.
+Registration shift_of(const PicturePair& pair, const ShiftFit& fit) {
   Registration result;
-  const ShiftFit fit = best_fit(pair);
-  const double allowed = 3 * std::max(pair.noise * pair.noise, kFloatNoise * kFloatNoise);
+  const double allowed = allowed_error(pair);
   result.pixels = std::int64_t(fit.seen.size());
   result.why = undetermined(fit, allowed);
   if (!result.why.empty()) return result;
@@ -54,7 +59,14 @@ Registration estimate(const PicturePair& pair) {
   }
   result.determined = true;
   result.dx = fit.warp.dx, result.dy = fit.warp.dy;
-  result.explained = gone(error_before(pair, fit), fit.mean_error(), allowed);
+  return result;
+}
+
+Registration estimate(const PicturePair& pair) {
+  const ShiftFit fit = best_fit(pair);
+  Registration result = shift_of(pair, fit);
+  if (!result.determined) return result;
+  result.explained = gone(error_before(pair, fit), fit.mean_error(), allowed_error(pair));
   const ShiftFit zoomed = refine(pair, fit.warp, 3);
   if (zoomed.converged) result.scale = zoomed.warp.scale;
   return result;
@@ -76,7 +88,7 @@ Registration registration(const Picture& ours, const Picture& theirs,
   if (!found.determined || std::hypot(found.dx, found.dy) > kLargestShift) return found;
   // Between flat pieces a pixel flips or stays: what stayed looks aligned whatever the shift.
   pair.smooth = without_creases(ours, std::move(pair.smooth));
-  if (estimate(pair).determined) return found;
+  if (shift_of(pair, refine(pair, {found.dx, found.dy}, 2)).determined) return found;
   unclear.pixels = found.pixels;
   unclear.why = "what changes along the picture are creases between flat pieces, which do not tell";
   return unclear;

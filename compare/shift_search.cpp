@@ -12,33 +12,48 @@ namespace {
 
 constexpr int kMostSteps = 30;
 
+/// Where the pixels of a row, or of a column, of theirs lie on ours.
+struct Place {
+  int pixel;  ///< of theirs
+  double from_middle;
+  std::size_t nearest;  ///< of ours
+  CubicPlace cubic;
+};
+
+std::vector<Place> places(int size, double scale, double shift, int stride) {
+  const double middle = (size - 1) / 2.0;
+  std::vector<Place> result;
+  result.reserve(std::size_t(size / stride + 1));
+  for (int pixel = 0; pixel < size; pixel += stride) {
+    const double at = middle + scale * (pixel - middle) + shift;
+    if (!(at >= 0 && at < size - 0.5)) continue;
+    result.push_back({pixel, pixel - middle, std::size_t(std::lround(at)), cubic_place(at)});
+  }
+  return result;
+}
+
 std::vector<ShiftObservation> observe(const PicturePair& pair, const Warp& warp) {
   const Picture& ours = pair.ours;
-  const double middle_x = (ours.width - 1) / 2.0, middle_y = (ours.height - 1) / 2.0;
+  const std::vector<Place> columns = places(ours.width, warp.scale, warp.dx, pair.stride);
+  const std::vector<Place> rows = places(ours.height, warp.scale, warp.dy, pair.stride);
   std::vector<ShiftObservation> result;
-  const auto along = [&](int size) { return std::size_t((size + pair.stride - 1) / pair.stride); };
-  result.reserve(along(ours.width) * along(ours.height));
-  for (int y = 0; y < ours.height; y += pair.stride) {
-    for (int x = 0; x < ours.width; x += pair.stride) {
-      const double u = x - middle_x, v = y - middle_y;
-      const double at_x = middle_x + warp.scale * u + warp.dx;
-      const double at_y = middle_y + warp.scale * v + warp.dy;
-      if (!(at_x >= 0 && at_x < ours.width - 0.5 && at_y >= 0 && at_y < ours.height - 0.5))
+  result.reserve(columns.size() * rows.size());
+  for (const Place& row : rows) {
+    for (const Place& column : columns) {
+      const glm::dvec3& other = pair.theirs.at(column.pixel, row.pixel);
+      if (!pair.smooth[row.nearest * std::size_t(ours.width) + column.nearest] || !is_finite(other))
         continue;
-      const auto nearest =
-          std::size_t(std::lround(at_y)) * std::size_t(ours.width) + std::size_t(std::lround(at_x));
-      const glm::dvec3& other = pair.theirs.at(x, y);
-      if (!pair.smooth[nearest] || !is_finite(other)) continue;
-      const PlacedSample own = sample_at(ours, at_x, at_y);
+      const PlacedSample own = sample_at(ours, column.cubic, row.cubic);
       ShiftObservation& seen = result.emplace_back();
-      seen.pixel = std::size_t(y) * std::size_t(ours.width) + std::size_t(x);
+      seen.pixel = std::size_t(row.pixel) * std::size_t(ours.width) + std::size_t(column.pixel);
       for (int c = 0; c < 3; ++c)
-        seen.channels[std::size_t(c)] = {1,
-                                         other[c],
-                                         own.along_x[c],
-                                         own.along_y[c],
-                                         own.along_x[c] * u + own.along_y[c] * v,
-                                         own.value[c] - other[c]};
+        seen.channels[std::size_t(c)] = {
+            1,
+            other[c],
+            own.along_x[c],
+            own.along_y[c],
+            own.along_x[c] * column.from_middle + own.along_y[c] * row.from_middle,
+            own.value[c] - other[c]};
     }
   }
   return result;

@@ -11,19 +11,6 @@ namespace {
 
 constexpr double kFlat = 1e-5;  // a third difference below it is no crease
 
-/// The four weights of a Catmull-Rom cubic and of its derivative at t in [0, 1).
-struct Cubic {
-  std::array<double, 4> value, slope;
-};
-
-Cubic cubic(double t) {
-  const double t2 = t * t, t3 = t2 * t;
-  return {{(-t3 + 2 * t2 - t) / 2, (3 * t3 - 5 * t2 + 2) / 2, (-3 * t3 + 4 * t2 + t) / 2,
-           (t3 - t2) / 2},
-          {(-3 * t2 + 4 * t - 1) / 2, (9 * t2 - 10 * t) / 2, (-9 * t2 + 8 * t + 1) / 2,
-           (3 * t2 - 2 * t) / 2}};
-}
-
 /// Whether a crease passes between a pixel and its neighbours along (dx, dy).
 bool is_creased(const Picture& picture, int x, int y, int dx, int dy) {
   const auto at = [&](int k) { return picture.at(x + k * dx, y + k * dy); };
@@ -37,21 +24,35 @@ bool is_creased(const Picture& picture, int x, int y, int dx, int dy) {
 
 }  // namespace
 
-PlacedSample sample_at(const Picture& picture, double x, double y) {
-  const int column = int(std::floor(x)), row = int(std::floor(y));
-  const Cubic across = cubic(x - column), down = cubic(y - row);
-  PlacedSample result;
-  for (int j = 0; j < 4; ++j) {
-    glm::dvec3 value{0}, slope{0};
-    for (int i = 0; i < 4; ++i) {
-      const glm::dvec3& pixel = picture.at(column - 1 + i, row - 1 + j);
-      value += across.value[std::size_t(i)] * pixel;
-      slope += across.slope[std::size_t(i)] * pixel;
+CubicPlace cubic_place(double at) {
+  const int before = int(std::floor(at));
+  const double t = at - before, t2 = t * t, t3 = t2 * t;
+  return {before - 1,
+          {(-t3 + 2 * t2 - t) / 2, (3 * t3 - 5 * t2 + 2) / 2, (-3 * t3 + 4 * t2 + t) / 2,
+           (t3 - t2) / 2},
+          {(-3 * t2 + 4 * t - 1) / 2, (9 * t2 - 10 * t) / 2, (-9 * t2 + 8 * t + 1) / 2,
+           (3 * t2 - 2 * t) / 2}};
+}
+
+PlacedSample sample_at(const Picture& picture, const CubicPlace& column, const CubicPlace& row) {
+  // Down each of the four columns first, whose channels lie side by side.
+  constexpr std::size_t kSide = 4, kNumbers = 3 * kSide;
+  std::array<double, kNumbers> value{}, slope{};
+  for (std::size_t j = 0; j < kSide; ++j) {
+    const double* pixels = &picture.at(column.first, row.first + int(j)).x;
+    for (std::size_t k = 0; k < kNumbers; ++k) {
+      value[k] += row.value[j] * pixels[k];
+      slope[k] += row.slope[j] * pixels[k];
     }
-    result.value += down.value[std::size_t(j)] * value;
-    result.along_x += down.value[std::size_t(j)] * slope;
-    result.along_y += down.slope[std::size_t(j)] * value;
   }
+  PlacedSample result;
+  for (std::size_t i = 0; i < kSide; ++i)
+    for (int c = 0; c < 3; ++c) {
+      const std::size_t k = 3 * i + std::size_t(c);
+      result.value[c] += column.value[i] * value[k];
+      result.along_x[c] += column.slope[i] * value[k];
+      result.along_y[c] += column.value[i] * slope[k];
+    }
   return result;
 }
 
