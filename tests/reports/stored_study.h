@@ -1,4 +1,4 @@
-// stored_study.h: the study of one canonical scene against the stored images.
+// stored_study.h: studies of canonical scenes against the stored images.
 #pragma once
 
 #include <string>
@@ -16,6 +16,22 @@ inline Study stored_study(const std::string& scene, const std::string& control =
   options.control = control;
   const std::vector<Scene> scenes{load_scene(find_scene(scene))};
   return run_study(scenes, options);
+}
+
+/// All canonical scenes, loaded once.
+inline const std::vector<Scene>& canonical() {
+  static const std::vector<Scene> scenes = load_canonical_scenes().scenes;
+  return scenes;
+}
+
+/// The study of all of them, made once.
+inline const Study& canonical_study() {
+  static const Study study = [] {
+    StudyOptions options;
+    options.obtain.sources = Sources::Stored;
+    return run_study(canonical(), options);
+  }();
+  return study;
 }
 
 }  // namespace litmus

@@ -15,18 +15,13 @@
 #include "reports/controls.h"
 #include "reports/suspects.h"
 #include "scene/expect.h"
-#include "scene/load.h"
 #include "scene/observer.h"
 #include "scene/refusal.h"
+#include "tests/reports/stored_study.h"
 #include "tracer/render.h"
 
 namespace litmus {
 namespace {
-
-const std::vector<Scene>& canonical() {
-  static const std::vector<Scene> scenes = load_canonical_scenes().scenes;
-  return scenes;
-}
 
 /// Whether our side of a scene is another one with the control.
 bool changes(const Control& control, const Scene& scene) {
@@ -48,7 +43,7 @@ Study make_study(const std::string& control) {
   StudyOptions options;
   options.obtain.sources = Sources::Stored;
   options.control = control;
-  return run_study(control.empty() ? canonical() : changed_by(*find_control(control)), options);
+  return run_study(changed_by(*find_control(control)), options);
 }
 
 /// Each control's study is made once.
@@ -79,7 +74,7 @@ bool needs_tables(const Comparison& row) {
 }
 
 TEST(Agreement, HoldsForEveryLightOfEverySceneAndBothReferences) {
-  const Study& study = study_of("");
+  const Study& study = canonical_study();
   for (const Comparison& row : study.comparisons) {
     if (needs_tables(row)) continue;
     EXPECT_EQ(row.verdict, "pass") << row.scene << ", " << row.reference << ", " << row.light
@@ -91,7 +86,7 @@ TEST(Agreement, HoldsForEveryLightOfEverySceneAndBothReferences) {
 }
 
 TEST(Agreement, CoversEverySceneLightTypeReferenceAndRegion) {
-  const Study& study = study_of("");
+  const Study& study = canonical_study();
   std::set<std::string> types, scenes;
   for (const Comparison& row : study.comparisons) {
     if (row.reference == kClosedForm) continue;
@@ -108,7 +103,7 @@ TEST(Agreement, CoversEverySceneLightTypeReferenceAndRegion) {
 
 TEST(Agreement, HoldsForEveryClosedFormThatASceneExpects) {
   std::set<std::string> seen, expected;
-  for (const Comparison& row : study_of("").comparisons)
+  for (const Comparison& row : canonical_study().comparisons)
     if (row.reference == kClosedForm) seen.insert(row.scene + " " + row.region);
   for (const Scene& scene : canonical())
     for (const Oracle oracle : scene.expect) {
@@ -124,7 +119,7 @@ TEST(Agreement, HoldsForEveryClosedFormThatASceneExpects) {
 }
 
 TEST(Agreement, IsBetweenAnyTwoOfLitmusTheReferencesAndTheClosedForms) {
-  const Study& study = study_of("");
+  const Study& study = canonical_study();
   for (const Comparison& row : study.pairs)
     EXPECT_EQ(row.verdict, "pass") << row.scene << ", " << row.light << ": " << row.reference
                                    << " against " << row.against << ": " << row.reason;
@@ -144,7 +139,7 @@ TEST(NegativeControl, MakesLitmusTheSuspectWhereTheOthersAgree) {
 }
 
 TEST(Agreement, OfTheReferencesLayersAddsUpToTheirWhole) {
-  for (const Case& entry : study_of("").cases) {
+  for (const Case& entry : canonical_study().cases) {
     for (std::size_t r = 0; r < entry.references.size(); ++r) {
       if (!kTables && entry.layers.back().theirs[r].picture.pixels.empty()) continue;
       Picture total(entry.width, entry.height);
@@ -169,7 +164,7 @@ TEST(Agreement, OfOurLayersAddsUpToOurWhole) {
 
 TEST(Agreement, IsOfCamerasToo) {
   int determined = 0;
-  for (const Case& entry : study_of("").cases) {
+  for (const Case& entry : canonical_study().cases) {
     for (const CaseReference& reference : entry.references) {
       const Registration& found = reference.registration;
       if (!found.determined) continue;
@@ -185,7 +180,7 @@ TEST(Agreement, IsOfCamerasToo) {
   EXPECT_GE(determined, 50);
 }
 
-TEST(Agreement, RestsOnNoToleranceThatIsTooWide) { EXPECT_TRUE(study_of("").warnings.empty()); }
+TEST(Agreement, RestsOnNoToleranceThatIsTooWide) { EXPECT_TRUE(canonical_study().warnings.empty()); }
 
 /// What a control changes in our own pictures, which decides the rows that must fail. Rows that
 /// change by about a tolerance may do either.
