@@ -108,9 +108,9 @@ void print_row(const Scene& scene, double max_error) {
   // Not the lattice that the tuner may have judged by.
   const Picture truth = area ? render(scene, {Sampler::Certified, 256, samples}, 0, true).whole
                              : lattice_mean(scene, kTruthSamples, 0);
-  const std::optional<Found> best = cheapest(scene, area ? area_ladders(samples) : pixel_ladders(),
-                                             truth, max_error,
-                                             tuned.met ? tuned.seconds : kInfinity);
+  const std::optional<Found> best =
+      cheapest(scene, area ? area_ladders(samples) : pixel_ladders(), truth, max_error,
+               tuned.met ? tuned.seconds : kInfinity);
   const std::string chosen = tuned.met ? words(tuned.settings) : "nothing keeps it";
   if (!best || !tuned.met) {
     fmt::print("{:<24} {:<7g} {:<40} {}\n", scene.name, max_error, chosen,
@@ -123,9 +123,7 @@ void print_row(const Scene& scene, double max_error) {
 }
 
 /// With area lights or several samples a pixel; all others have the precision alone to choose.
-bool has_a_choice(const Scene& scene) {
-  return scene.samples > 1 || integrates_area_lights(scene);
-}
+bool has_a_choice(const Scene& scene) { return scene.samples > 1 || integrates_area_lights(scene); }
 
 void sweep(const std::vector<std::string>& names, int width, const std::vector<double>& errors) {
   std::vector<Scene> scenes;

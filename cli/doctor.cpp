@@ -32,8 +32,10 @@ bool print_image_library() {
     print_row("OpenImageIO", image_library_version());
     return true;
   } catch (const Refusal& refusal) {
-    print_row("OpenImageIO", fmt::format("missing, nothing but list, explain and export works: {}",
-                                         refusal.what()));
+    print_row(
+        "OpenImageIO",
+        fmt::format("missing, nothing but list, export and explain --reference none works: {}",
+                    refusal.what()));
     return false;
   }
 }

@@ -60,9 +60,10 @@ struct TuneOptions {
 /// judge. Its own error is at most half of that change where errors fall by a factor of 3 or more
 /// at each doubling of n (measured: 3 to 4), and at most the change itself for pixel samples
 /// (factor 2 or more); it is counted into every estimate. Where 256 samples along a pixel do not
-/// get there and no area light is sampled as well, the judge is a lattice (pixel_lattice.h). Then cheaper settings are tried against the judge: the samplers on a grid, all
-/// numbers of samples in between, and float. Of those that keep the error the one that takes the
-/// least processor time wins.
+/// get there and no area light is sampled as well, the judge is a lattice (pixel_lattice.h). Then
+/// cheaper settings are tried against the judge: the samplers on a grid, all numbers of samples in
+/// between, and float. Of those that keep the error the one that takes the least processor time
+/// wins.
 Tuned tune(const Scene& scene, const TuneOptions& options);
 
 }  // namespace litmus

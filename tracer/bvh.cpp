@@ -107,8 +107,7 @@ struct Builder {
     const std::size_t index = nodes.size();
     nodes.emplace_back();
     Bounds<Cost> center_box;
-    for (std::size_t i = begin; i < end; ++i)
-      center_box.add(centers[order[i]], centers[order[i]]);
+    for (std::size_t i = begin; i < end; ++i) center_box.add(centers[order[i]], centers[order[i]]);
 
     // Split along the longest side of the box of centres, unless all centres coincide.
     const Vec<Cost> extent = center_box.size();

@@ -180,7 +180,9 @@ TEST(Agreement, IsOfCamerasToo) {
   EXPECT_GE(determined, 50);
 }
 
-TEST(Agreement, RestsOnNoToleranceThatIsTooWide) { EXPECT_TRUE(canonical_study().warnings.empty()); }
+TEST(Agreement, RestsOnNoToleranceThatIsTooWide) {
+  EXPECT_TRUE(canonical_study().warnings.empty());
+}
 
 /// What a control changes in our own pictures, which decides the rows that must fail. Rows that
 /// change by about a tolerance may do either.

@@ -106,7 +106,8 @@ TEST(Tune, FiltersPixelsAsFarAsItMust) {
   const Tuned tuned = tune(scene, {.max_error = 0.15});
   ASSERT_TRUE(tuned.met);
   EXPECT_GT(tuned.settings.pixel_samples, 1);
-  EXPECT_LE(error_against(scene, tuned.rendering.whole, {Sampler::Scene, 0, exact_samples(scene)}), tuned.error);
+  EXPECT_LE(error_against(scene, tuned.rendering.whole, {Sampler::Scene, 0, exact_samples(scene)}),
+            tuned.error);
 }
 
 TEST(Tune, JudgesByALatticeWhereTheFinestGridIsTooCoarse) {
