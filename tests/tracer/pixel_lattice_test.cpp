@@ -11,7 +11,7 @@
 namespace litmus {
 namespace {
 
-constexpr int kSamples = 4;
+constexpr int kGridSamples = 4;
 
 /// One pixel of side 6: the sun's light on all that lies left of x = edge, or below y = edge.
 Scene half_seen(double edge, bool along_x) {
@@ -33,10 +33,10 @@ TEST(LatticeMean, MeetsAnEdgeAlongEitherSideAsAGridOfSixteenTimesTheSamples) {
   for (double edge = -2.9; edge < 2.9; edge += 0.0371) {
     for (const bool along_x : {true, false}) {
       Scene scene = half_seen(edge, along_x);
-      EXPECT_LE(share_error(lattice_mean(scene, kSamples, 1), edge),
-                0.5 / (kLatticeGrids * kSamples) + 1e-12)
+      EXPECT_LE(share_error(lattice_mean(scene, kGridSamples, 1), edge),
+                0.5 / (kLatticeGrids * kGridSamples) + 1e-12)
           << edge;
-      scene.samples = kSamples;
+      scene.samples = kGridSamples;
       grid_worst = std::max(grid_worst, share_error(render(scene, {}).whole, edge));
     }
   }
@@ -46,7 +46,7 @@ TEST(LatticeMean, MeetsAnEdgeAlongEitherSideAsAGridOfSixteenTimesTheSamples) {
 TEST(LatticeMean, IsThePictureItselfWhereNothingChangesWithinAPixel) {
   Scene scene = floor_from_above(4);
   scene.lights = {sun({0.3, 0.2, -1})};
-  const Picture one = render(scene, {}).whole, mean = lattice_mean(scene, kSamples, 1);
+  const Picture one = render(scene, {}).whole, mean = lattice_mean(scene, kGridSamples, 1);
   for (std::size_t i = 0; i < one.pixels.size(); ++i)
     EXPECT_NEAR(mean.pixels[i].x, one.pixels[i].x, 1e-15);
 }
