@@ -46,6 +46,8 @@ struct Counted {
   }
   friend Counted larger(Counted a, Counted b) { return a.value > b.value ? a : b; }
   friend Counted smaller(Counted a, Counted b) { return a.value < b.value ? a : b; }
+  friend double largest_of(Counted a) { return a.value; }
+  friend double smallest_of(Counted a) { return a.value; }
   friend std::uint64_t bits_of(Counted a) { return litmus::bits_of(a.value); }
   friend double lane(Counted a, int) { return a.value; }
   friend void set_lane(Counted& a, int, double value) { a.value = value; }

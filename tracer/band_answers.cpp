@@ -47,7 +47,7 @@ std::vector<BandAnswer> band_answers(const Scene& scene) {
         const auto unit = [&](double d, double s, double lamps) {
           LightTerms<double> terms;
           terms.diffuse = d, terms.specular = s, terms.unoccluded = lamps;
-          return light_color(plan, source, finish, terms);
+          return light_color(plan, source, finish, terms, task_of(plan));
         };
         ++answer;
         add(answer->diffuse, unit(1, 0, 0)), add(answer->specular, unit(0, 1, 0));

@@ -81,7 +81,8 @@ LightExplanation explain_light(const Plan<double>& plan, const Source<double>& s
   }
   const LightTerms<double> terms = light_terms(plan, source, hit, eye);
   const auto color = [&](double diffuse, double specular, double unoccluded) {
-    return plain(light_color(plan, source, finish, {diffuse, specular, unoccluded, 0}));
+    return plain(
+        light_color(plan, source, finish, {diffuse, specular, unoccluded, 0}, task_of(plan)));
   };
   result.diffuse = terms.diffuse, result.specular = terms.specular;
   result.light_diffuse = plain(source.diffuse);

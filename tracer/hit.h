@@ -20,6 +20,13 @@ KindOf<V> kind_value(Kind kind) {
   }
 }
 
+/// The surface that every lane sees, where there is one; else `kind` is None. Most packets see one
+/// alone, of which nothing needs to be asked lane by lane.
+struct OneSurface {
+  Kind kind = Kind::None;
+  int index = -1, object = -1;
+};
+
 /// The point seen. `kind` and `index` name the entry of the plan's list; `face` the face of a box.
 template <Value V>
 struct Hit {
@@ -30,9 +37,17 @@ struct Hit {
   Vec<V> point;            ///< on the surface itself, not just on the ray
   V reach{};               ///< largest coordinate that the point was computed from
   Vec<V> geometric;        ///< unit normal of the surface, turned towards the eye
-  Vec<V> normal;           ///< unit normal for shading, turned towards the eye by itself
+  Vec<V> normal;           ///< unit normal for shading, turned by itself; see shading_normal()
   Mask<V> inside = false;  ///< of a sphere or a box, seen from within
+  OneSurface one;
 };
+
+/// Hit::normal, which a packet has only where something in the scene is smooth: elsewhere it is the
+/// surface's own.
+template <Real R, Value V>
+const Vec<V>& shading_normal(const Plan<R>& plan, const Hit<V>& hit) {
+  return plan.smooth || kLanes<V> == 1 ? hit.normal : hit.geometric;
+}
 
 template <Value V>
 Kind kind_at(const Hit<V>& hit, int i) {
@@ -177,31 +192,32 @@ Settled<V> settle(const HitTriangles<V>& on, const Hit<V>& hit) {
   return settled;
 }
 
-/// The geometric and shading normal of a hit, and its point moved onto the surface.
+/// A hit moved onto a surface; `on` are the lanes that are on it.
 template <Real R, Value V>
-void settle(const Plan<R>& plan, const Ray<V>& ray, Hit<V>& hit) {
-  const Mask<V> seen = hit.object >= Index<V>(0);
-  hit.point = ray.origin + select(seen, hit.t, V(R(0))) * ray.direction;
+Settled<V> settle_on(const Plan<R>& plan, const Hit<V>& hit, Kind kind, std::size_t index,
+                     const Mask<V>& on) {
+  switch (kind) {
+    case Kind::None:
+      return {};
+    case Kind::Sphere:
+      return settle(plan.spheres[index].shape, hit);
+    case Kind::Plane:
+      return settle(plan.planes[index].shape, hit);
+    case Kind::Box:
+      return settle(plan.boxes[index].shape, hit);
+    case Kind::Triangle:
+      return settle(triangles_of(plan, hit, on), hit);
+  }
+  return {};
+}
+
+/// A hit moved onto the surface of each lane.
+template <Real R, Value V>
+Settled<V> settle_each(const Plan<R>& plan, const Hit<V>& hit) {
   Settled<V> all;
   for_each_surface(hit, [&](int i, const Mask<V>& on) {
-    const auto index = std::size_t(lane(hit.index, i));
-    Settled<V> one;
-    switch (kind_at(hit, i)) {
-      case Kind::None:
-        break;
-      case Kind::Sphere:
-        one = settle(plan.spheres[index].shape, hit);
-        break;
-      case Kind::Plane:
-        one = settle(plan.planes[index].shape, hit);
-        break;
-      case Kind::Box:
-        one = settle(plan.boxes[index].shape, hit);
-        break;
-      case Kind::Triangle:
-        one = settle(triangles_of(plan, hit, on), hit);
-        break;
-    }
+    const Settled<V> one =
+        settle_on(plan, hit, kind_at(hit, i), std::size_t(lane(hit.index, i)), on);
     if (all_of(on)) {
       all = one;
       return;
@@ -210,12 +226,29 @@ void settle(const Plan<R>& plan, const Ray<V>& ray, Hit<V>& hit) {
            select(on, one.normal, all.normal), select(on, one.reach, all.reach),
            select(on, one.outwards, all.outwards)};
   });
+  return all;
+}
+
+/// The geometric and shading normal of a hit, and its point moved onto the surface.
+template <Real R, Value V>
+void settle(const Plan<R>& plan, const Ray<V>& ray, Hit<V>& hit) {
+  Settled<V> all;
+  if (hit.one.kind != Kind::None) {
+    hit.point = ray.origin + hit.t * ray.direction;
+    all = settle_on(plan, hit, hit.one.kind, std::size_t(hit.one.index), Mask<V>(true));
+  } else {
+    const Mask<V> seen = hit.object >= Index<V>(0);
+    hit.point = ray.origin + select(seen, hit.t, V(R(0))) * ray.direction;
+    all = settle_each(plan, hit);
+  }
   hit.point = all.point, hit.reach = all.reach;
   const Mask<V> turned = dot(all.geometric, ray.direction) > R(0);
   hit.geometric = select(turned, -all.geometric, all.geometric);
   hit.inside = select(turned, -all.outwards, all.outwards) < R(0);
-  hit.normal = hit.geometric;
-  if (!plan.smooth) return;
+  if (!plan.smooth) {
+    if (kLanes<V> == 1) hit.normal = hit.geometric;
+    return;
+  }
   hit.normal = select(dot(all.normal, ray.direction) > R(0), -all.normal, all.normal);
 }
 
@@ -271,6 +304,7 @@ template <Real R, Value V>
     found.object = int(lane(best.object, i)), found.index = int(lane(best.index, i));
     closest_triangle<Abreast<V>>(plan, lane(rays, i), found);
     if (found.kind == Kind::None) continue;
+    best.one = {};
     Mask<V> here = false;
     set_lane(here, i, true);
     best.kind = select(here, kind_value<V>(Kind::Triangle), best.kind);
@@ -286,13 +320,18 @@ template <Real R, Value V>
 template <Real R, Value V, class MayMeet>
 void find_closest(const Plan<R>& plan, const Ray<V>& ray, const MayMeet& may_meet, Hit<V>& best) {
   best.kind = kind_value<V>(Kind::None), best.index = Index<V>(-1), best.object = Index<V>(-1);
-  best.t = V(std::numeric_limits<R>::infinity());
+  best.t = V(std::numeric_limits<R>::infinity()), best.one = {};
   const auto offer = [&](Kind kind, const V& t, int object, int index) {
     const Mask<V> nearer = (t > R(0)) & comes_before(t, object, index, best);
     best.kind = select(nearer, kind_value<V>(kind), best.kind);
     best.t = select(nearer, t, best.t);
     best.object = select(nearer, Index<V>(object), best.object);
     best.index = select(nearer, Index<V>(index), best.index);
+    if (all_of(nearer)) {
+      best.one = {kind, index, object};
+    } else if (any_of(nearer)) {
+      best.one = {};
+    }
     return nearer;
   };
   const auto offer_chord = [&](Kind kind, const Chord<V>& chord, int object, int index) {

@@ -61,6 +61,11 @@ Finish<V> finish_of(const Plan<R>& plan, const Hit<V>& hit) {
             one.shiny,
             one.reflects};
   } else {
+    if (hit.one.kind != Kind::None) {
+      const Finish<R>& one = plan.finishes[std::size_t(hit.one.object)];
+      return {Vec<V>(one.ambient),        Vec<V>(one.diffuse), Vec<V>(one.specular),
+              Exponent<V>(one.shininess), one.shiny,           one.reflects};
+    }
     Finish<V> all;
     const Mask<V> seen = hit.object >= Index<V>(0);
     // Lanes that see nothing take a shininess that is there: powers of one exponent are cheaper.
@@ -184,10 +189,10 @@ LampTerms<V> reach(const Plan<R>& plan, const Lamp<R>& lamp, const Hit<V>& hit,
 
 /// What the surface answers to a lamp's light: D and S at a hit seen from the direction `eye`
 /// (unit, towards the eye).
-template <Value V, class T>
-void answer(const Hit<V>& hit, const Finish<V>& finish, const Vec<V>& eye, const T& task,
-            LampTerms<V>& one, Doubt<V>* doubt = nullptr) {
-  using R = Scalar<V>;
+template <Real R, Value V, class T>
+void answer(const Plan<R>& plan, const Hit<V>& hit, const Finish<V>& finish, const Vec<V>& eye,
+            const T& task, LampTerms<V>& one, Doubt<V>* doubt = nullptr) {
+  const Vec<V>& normal = shading_normal(plan, hit);
   const Incident<V>& light = one.light;
   const Mask<V> shiny = one.lit & finish.shiny;
   const Exponent<V>& shininess = finish.shininess;
@@ -199,9 +204,8 @@ void answer(const Hit<V>& hit, const Finish<V>& finish, const Vec<V>& eye, const
   }
   const Terms<V> terms =
       task.sample_code
-          ? sample_code_terms(light.direction, eye, hit.normal, shininess, light.intensity, powers)
-          : equation_terms(light.direction, eye, hit.normal, shininess, light.intensity, powers,
-                           doubt);
+          ? sample_code_terms(light.direction, eye, normal, shininess, light.intensity, powers)
+          : equation_terms(light.direction, eye, normal, shininess, light.intensity, powers, doubt);
   one.terms = {select(one.lit, terms.diffuse, V(R(0))), select(shiny, terms.specular, V(R(0)))};
 }
 
@@ -212,7 +216,7 @@ LampTerms<R> lamp_terms(const Plan<R>& plan, const Lamp<R>& lamp, const Hit<R>& 
   const Finish<R> finish = finish_of(plan, hit);
   const Task task = task_of(plan);
   LampTerms<R> one = reach(plan, lamp, hit, finish.reflects, &kEverything, task);
-  answer(hit, finish, eye, task, one);
+  answer(plan, hit, finish, eye, task, one);
   return one;
 }
 
@@ -222,9 +226,9 @@ struct Edges {
   Mask<V> reached = false, lit = false, hidden = false, highlight = false;
   PerLane<std::uint64_t, V> signature{};
 
-  void start(const Hit<V>& hit) {
+  void start(const Vec<V>& normal, const Hit<V>& hit) {
     // Near a silhouette an interpolated normal may be turned the other way than the geometric one.
-    const Mask<V> turned = dot(hit.normal, hit.geometric) < Scalar<V>(0);
+    const Mask<V> turned = dot(normal, hit.geometric) < Scalar<V>(0);
     for (int i = 0; i < kLanes<V>; ++i) at_lane(signature, i) = lane(turned, i);
   }
 
@@ -256,7 +260,7 @@ template <std::size_t kBatch, Real R, Value V, class T>
     const Vec<V>& eye, const Suspects* suspects, const T& task, Doubt<V>* doubt) {
   LightTerms<V> total;
   Edges<V> edges;
-  if (task.edges) edges.start(hit);
+  if (task.edges) edges.start(shading_normal(plan, hit), hit);
   Total<V> diffuse, specular;
   Doubt<V> doubtful = false;
   Doubt<V>* const doubts = T::kDoubts ? &doubtful : nullptr;
@@ -268,7 +272,7 @@ template <std::size_t kBatch, Real R, Value V, class T>
     const std::size_t length = std::min(kBatch, count - first);
     for (std::size_t k = 0; k < length; ++k)
       batch[k] = reach(plan, source.lamps[first + k], hit, reflects, suspects, task, doubts);
-    for (std::size_t k = 0; k < length; ++k) answer(hit, finish, eye, task, batch[k], doubts);
+    for (std::size_t k = 0; k < length; ++k) answer(plan, hit, finish, eye, task, batch[k], doubts);
     for (std::size_t k = 0; k < length; ++k) {
       // The sum of one is that one, for which nothing needs to be carried along.
       if (count > 1) {
@@ -331,19 +335,24 @@ LightTerms<R> light_terms(const Plan<R>& plan, const Source<R>& source, const Hi
 
 /// Slide 5 for one light: kd Id D + ks Is S per channel; the sample code adds A for each lamp in
 /// view and takes the light's diffuse colour for both terms.
-template <Real R, Value V>
+template <Real R, Value V, class T>
 Vec<Sum<V>> light_color(const Plan<R>& plan, const Source<R>& source, const Finish<V>& finish,
-                        const LightTerms<V>& terms) {
+                        const LightTerms<V>& terms, const T& task) {
   using S = Sum<V>;
-  const Terms<S> factors{terms.diffuse, terms.specular};
-  const Vec<R>& highlight = plan.sample_code ? source.diffuse : source.specular;
-  const auto channel = [&](const V& kd, R id, const V& ks, R is, const V& ka, R ia) {
-    const S light = reflected<S>(factors, widen(kd), S(id), widen(ks), S(is));
-    return plan.sample_code ? S(light + terms.unoccluded * (widen(ka) * S(ia))) : light;
-  };
   const Vec<V>& a = finish.ambient;
   const Vec<V>& d = finish.diffuse;
   const Vec<V>& s = finish.specular;
+  if (!plan.specular && !task.sample_code && !task.everything) {
+    const auto matte = [&](const V& kd, R id) { return S(widen(kd) * S(id) * terms.diffuse); };
+    return {matte(d.x, source.diffuse.x), matte(d.y, source.diffuse.y),
+            matte(d.z, source.diffuse.z)};
+  }
+  const Terms<S> factors{terms.diffuse, terms.specular};
+  const Vec<R>& highlight = task.sample_code ? source.diffuse : source.specular;
+  const auto channel = [&](const V& kd, R id, const V& ks, R is, const V& ka, R ia) {
+    const S light = reflected<S>(factors, widen(kd), S(id), widen(ks), S(is));
+    return task.sample_code ? S(light + terms.unoccluded * (widen(ka) * S(ia))) : light;
+  };
   return {channel(d.x, source.diffuse.x, s.x, highlight.x, a.x, plan.ambient.x),
           channel(d.y, source.diffuse.y, s.y, highlight.y, a.y, plan.ambient.y),
           channel(d.z, source.diffuse.z, s.z, highlight.z, a.z, plan.ambient.z)};

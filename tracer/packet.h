@@ -285,6 +285,8 @@ struct Packet {
   LITMUS_INLINE friend Packet smaller(const Packet& a, const Packet& b) {
     return extreme<false, T, N>(a.lanes, b.lanes);
   }
+  LITMUS_INLINE friend T largest_of(const Packet& a) { return stdx::hmax(a.lanes); }
+  LITMUS_INLINE friend T smallest_of(const Packet& a) { return stdx::hmin(a.lanes); }
   LITMUS_INLINE friend Packet sqrt(const Packet& a) { return stdx::sqrt(a.lanes); }
   LITMUS_INLINE friend Packet fabs(const Packet& a) {
     return from_bits(bits_of(a) & Packet<Unsigned, N>(~(Unsigned(1) << (8 * sizeof(T) - 1))));

@@ -46,7 +46,7 @@ void show(const Plan<R>& plan, const Shot<V>& shot, const Suspects* suspects, co
   for (int i = 0; i < kLanes<V> && task.edges; ++i)
     at_lane(numbers, i) = std::uint64_t(lane(hit.object, i) + 1);
   if (task.edges) seen.signature = numbers;
-  if (none_of(hit.object >= Index<V>(0))) {
+  if (hit.one.kind == Kind::None && none_of(hit.object >= Index<V>(0))) {
     for (std::size_t k = 0; k <= plan.sources.size() && task.edges; ++k) visit(k, seen);
     return;
   }
@@ -56,7 +56,7 @@ void show(const Plan<R>& plan, const Shot<V>& shot, const Suspects* suspects, co
   for (std::size_t k = 0; k < plan.sources.size(); ++k) {
     const LightTerms<V> terms = light_terms(plan, plan.sources[k], hit, finish, shot.eye,
                                             suspects ? suspects[k] : kEverything, task);
-    seen.color = light_color(plan, plan.sources[k], finish, terms);
+    seen.color = light_color(plan, plan.sources[k], finish, terms, task);
     if (task.edges) {
       seen.flags = terms.flags;
       for (int i = 0; i < kLanes<V>; ++i) {
@@ -155,7 +155,10 @@ void render_stretch(const Plan<R>& plan, const RenderOptions& options, const T& 
         } else {
           find_closest(plan, ray, row.spans[std::size_t(j)], across, shot.hit);
         }
-        shot.hit.object = select(column < R(view.width), shot.hit.object, Index<V>(-1));
+        if (const Mask<V> inside = column < R(view.width); !all_of(inside)) {
+          shot.hit.object = select(inside, shot.hit.object, Index<V>(-1));
+          shot.hit.one = {};
+        }
         if (plan.specular) shot.eye = -normalize<Divide::Once>(ray.direction);
       }
       const Suspects* const suspects = suspects_of(plan, task, count, row);

@@ -144,11 +144,12 @@ void look(const Setup& setup, double x, double y, std::uint64_t number, double w
       answer.terms = light_terms(plan, *one.source, hit, eye);
     } else if (setup.options.sampler == Sampler::Certified) {
       answer = by_proof(setup, one, hit, eye);
-      add(light_color(plan, *one.source, finish, answer.bound), result.bound);
+      add(light_color(plan, *one.source, finish, answer.bound, task_of(plan)), result.bound);
     } else {
       answer = by_points(setup, one, hit, eye, number);
     }
-    add(light_color(plan, *one.source, finish, answer.terms), result.layers[i + 1].picture);
+    add(light_color(plan, *one.source, finish, answer.terms, task_of(plan)),
+        result.layers[i + 1].picture);
     std::uint64_t& signature = result.signatures[i + 1].values[pixel];
     signature = mix(signature, one.panel ? answer.terms.flags : answer.terms.signature);
     result.flags[i + 1][pixel] |= answer.terms.flags;

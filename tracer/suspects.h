@@ -33,6 +33,10 @@ struct RegionOf {
   Mask<V> inside = false;
 
   void add(const Hit<V>& hit) {
+    if (hit.one.kind != Kind::None) {
+      add_all(hit);
+      return;
+    }
     const Mask<V> seen = hit.object >= Index<V>(0);
     const auto widen_by = [&](const V& value, V& low, V& high) {
       low = select(seen & (value < low), value, low);
@@ -48,23 +52,28 @@ struct RegionOf {
 
   HitRegion region() const {
     HitRegion all;
-    double low = std::numeric_limits<double>::infinity(), high = -low;
-    all.min = {low, low, low}, all.max = {high, high, high};
-    for (int i = 0; i < kLanes<V>; ++i) {
-      all.min.x = std::min(all.min.x, double(lane(min.x, i)));
-      all.min.y = std::min(all.min.y, double(lane(min.y, i)));
-      all.min.z = std::min(all.min.z, double(lane(min.z, i)));
-      all.max.x = std::max(all.max.x, double(lane(max.x, i)));
-      all.max.y = std::max(all.max.y, double(lane(max.y, i)));
-      all.max.z = std::max(all.max.z, double(lane(max.z, i)));
-      low = std::min(low, double(lane(first, i))), high = std::max(high, double(lane(last, i)));
-      all.coordinate = std::max(all.coordinate, double(lane(reach, i)));
-    }
-    all.coordinate += std::max(max_abs(all.min), max_abs(all.max));
+    all.min = {double(smallest_of(min.x)), double(smallest_of(min.y)), double(smallest_of(min.z))};
+    all.max = {double(largest_of(max.x)), double(largest_of(max.y)), double(largest_of(max.z))};
+    all.coordinate = double(largest_of(reach)) + std::max(max_abs(all.min), max_abs(all.max));
+    const double low = double(smallest_of(first)), high = double(largest_of(last));
     all.empty = low > high;
     all.object = low == high ? int(low) : -1;
     all.inside = any_of(inside);
     return all;
+  }
+
+ private:
+  /// Where all lanes see one surface.
+  void add_all(const Hit<V>& hit) {
+    const auto widen_by = [&](const V& value, V& low, V& high) {
+      low = smaller(value, low), high = larger(value, high);
+    };
+    widen_by(hit.point.x, min.x, max.x);
+    widen_by(hit.point.y, min.y, max.y);
+    widen_by(hit.point.z, min.z, max.z);
+    widen_by(V(Scalar<V>(hit.one.object)), first, last);
+    reach = larger(hit.reach, reach);
+    inside = inside | hit.inside;
   }
 };
 

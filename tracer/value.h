@@ -72,6 +72,16 @@ inline int count_of(bool mask) { return mask; }
 /// A bit for each lane, the lowest for the first.
 inline unsigned lanes_of(bool mask) { return mask; }
 
+/// The largest and the smallest of all lanes.
+template <Real R>
+R largest_of(const R& a) {
+  return a;
+}
+template <Real R>
+R smallest_of(const R& a) {
+  return a;
+}
+
 /// The larger and the smaller of two; b where one of them is not a number.
 template <Real R>
 R larger(const R& a, const R& b) {
