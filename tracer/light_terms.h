@@ -61,11 +61,11 @@ Finish<V> finish_of(const Plan<R>& plan, const Hit<V>& hit) {
             one.shiny,
             one.reflects};
   } else {
-    if (hit.one.kind != Kind::None) {
-      const Finish<R>& one = plan.finishes[std::size_t(hit.one.object)];
+    const auto of_all = [](const Finish<R>& one) -> Finish<V> {
       return {Vec<V>(one.ambient),        Vec<V>(one.diffuse), Vec<V>(one.specular),
               Exponent<V>(one.shininess), one.shiny,           one.reflects};
-    }
+    };
+    if (hit.one.kind != Kind::None) return of_all(plan.finishes[std::size_t(hit.one.object)]);
     Finish<V> all;
     const Mask<V> seen = hit.object >= Index<V>(0);
     // Lanes that see nothing take a shininess that is there: powers of one exponent are cheaper.
@@ -78,10 +78,7 @@ Finish<V> finish_of(const Plan<R>& plan, const Hit<V>& hit) {
       const Scalar<V> object = lane(hit.object, first_of(left));
       const Finish<R>& one = plan.finishes[std::size_t(object)];
       const Mask<V> on = hit.object == Index<V>(object);
-      if (all_of(on)) {
-        return {Vec<V>(one.ambient),        Vec<V>(one.diffuse), Vec<V>(one.specular),
-                Exponent<V>(one.shininess), one.shiny,           one.reflects};
-      }
+      if (all_of(on)) return of_all(one);
       all.ambient = select(on, Vec<V>(one.ambient), all.ambient);
       all.diffuse = select(on, Vec<V>(one.diffuse), all.diffuse);
       all.specular = select(on, Vec<V>(one.specular), all.specular);
@@ -342,12 +339,14 @@ Vec<Sum<V>> light_color(const Plan<R>& plan, const Source<R>& source, const Fini
   const Vec<V>& a = finish.ambient;
   const Vec<V>& d = finish.diffuse;
   const Vec<V>& s = finish.specular;
+  const Terms<S> factors{terms.diffuse, terms.specular};
   if (!plan.specular && !task.sample_code && !task.everything) {
-    const auto matte = [&](const V& kd, R id) { return S(widen(kd) * S(id) * terms.diffuse); };
+    const auto matte = [&](const V& kd, R id) {
+      return reflected_diffusely<S>(factors, widen(kd), S(id));
+    };
     return {matte(d.x, source.diffuse.x), matte(d.y, source.diffuse.y),
             matte(d.z, source.diffuse.z)};
   }
-  const Terms<S> factors{terms.diffuse, terms.specular};
   const Vec<R>& highlight = task.sample_code ? source.diffuse : source.specular;
   const auto channel = [&](const V& kd, R id, const V& ks, R is, const V& ka, R ia) {
     const S light = reflected<S>(factors, widen(kd), S(id), widen(ks), S(is));

@@ -182,11 +182,18 @@ Terms<V> sample_code_terms(const Vec<V>& l, const Vec<V>& e, const Vec<V>& n,
           wants_specular ? V(intensity * specular_power(l, e, n, shininess)) : none};
 }
 
+/// One channel of a matte surface's answer to one light: kd Id D, slide 5.
+template <Value V>
+V reflected_diffusely(const Terms<V>& terms, const V& diffuse, const V& light_diffuse) {
+  return diffuse * light_diffuse * terms.diffuse;
+}
+
 /// One channel of one light's answer: kd Id D + ks Is S, slide 5.
 template <Value V>
 V reflected(const Terms<V>& terms, const V& diffuse, const V& light_diffuse, const V& specular,
             const V& light_specular) {
-  return diffuse * light_diffuse * terms.diffuse + specular * light_specular * terms.specular;
+  return reflected_diffusely(terms, diffuse, light_diffuse) +
+         specular * light_specular * terms.specular;
 }
 
 }  // namespace litmus
