@@ -2,9 +2,9 @@
 #include "compare/statistics.h"
 
 #include <fmt/format.h>
+#include <gsl/gsl_cdf.h>
 
 #include <algorithm>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <numeric>
 #include <random>
@@ -34,9 +34,7 @@ Welch welch_of(const Moments& m, double degrees, double negligible) {
   const double beyond = std::max(0.0, std::abs(m.difference) - negligible);
   const double t = beyond > 0 ? beyond / std::sqrt(variance) : 0;
   if (std::isinf(t)) return {std::copysign(t, m.difference), degrees, 0};
-  const boost::math::students_t distribution(degrees);
-  return {std::copysign(t, m.difference), degrees,
-          2 * boost::math::cdf(boost::math::complement(distribution, t))};
+  return {std::copysign(t, m.difference), degrees, 2 * gsl_cdf_tdist_Q(t, degrees)};
 }
 
 double mean_of(std::span<const double> values) {

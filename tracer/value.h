@@ -5,20 +5,19 @@
 // every lane of a packet gets the same bits as a scalar would.
 #pragma once
 
-#include <boost/multiprecision/float128.hpp>
 #include <cmath>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <limits>
 #include <type_traits>
 
+#include "tracer/quad.h"
+
 namespace litmus {
 
 /// Kept out of the code around it, which is faster without: for what is seldom called. Values are
 /// passed to such a function by value; a reference would keep them in memory for the common case.
 #define LITMUS_COLD [[gnu::noinline, gnu::cold]]
-
-using Quad = boost::multiprecision::float128;  ///< 113 bits: the oracle of the other three
 
 /// float, double, long double or Quad.
 template <class T>

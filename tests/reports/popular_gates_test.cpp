@@ -16,10 +16,10 @@
 // The z-test and litmus's test for noisy pictures see a path-traced candidate: a sample's standard
 // deviation is the pixel's value.
 #include <fmt/format.h>
+#include <gsl/gsl_cdf.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <boost/math/distributions/normal.hpp>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/exponential.hpp>
@@ -104,8 +104,7 @@ bool mitsuba_fails(const Picture& ours, const Picture& theirs) {
   const Picture rendered = noisy(ours, random);
   const double tests = 3.0 * double(ours.pixels.size());
   const double alpha = -std::expm1(std::log1p(-0.01) / tests);
-  const double limit =
-      boost::math::quantile(boost::math::complement(boost::math::normal(), alpha / 2));
+  const double limit = gsl_cdf_ugaussian_Qinv(alpha / 2);
   double passed = 0;
   for (std::size_t i = 0; i < ours.pixels.size(); ++i)
     for (int c = 0; c < 3; ++c) {
