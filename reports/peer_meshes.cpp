@@ -19,7 +19,7 @@
 namespace litmus {
 namespace {
 
-constexpr std::string_view kOurs = "litmus, double";
+constexpr std::string_view kOurDouble = "litmus, double";
 
 /// A mesh ready for both, with the rays of its picture.
 struct Stage {
@@ -133,7 +133,7 @@ std::vector<PeerTask> mesh_tasks(int triangles, int size, const PeerOptions& opt
                    memory_note(*stage)};
   shadow.notes = {"litmus: a picture with shadows less one without. Embree: its rays alone."};
   const auto ours = [&](const auto& measure) {
-    return Entrant{std::string(kOurs), measure, no_packets()};
+    return Entrant{std::string(kOurDouble), measure, no_packets()};
   };
   return {take_turns(primary,
                      {ours([=] { return stage->primary_seconds(); }), embree_entrant(stage, false)},
@@ -162,7 +162,7 @@ std::vector<PeerTask> growth_tasks(const std::vector<int>& triangles, int size,
     return PeerTask{name, fmt::format("{}, primary rays, {} x {}, by triangles", who, size, size),
                     "ray", double(size) * size};
   };
-  return {take_turns(task("growth-litmus", std::string(kOurs)), ours, options),
+  return {take_turns(task("growth-litmus", std::string(kOurDouble)), ours, options),
           take_turns(task("growth-embree", "Embree, float"), embree, options)};
 }
 

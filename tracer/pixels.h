@@ -188,6 +188,11 @@ void render_stretch(const Plan<R>& plan, const RenderOptions& options, const T& 
   }
 }
 
+/// Whether pictures of V have code of their own for the common case: long double and Quad tell what
+/// is true, however long that takes.
+template <Value V>
+inline constexpr bool kHasBareTask = !std::is_same_v<V, long double> && !std::is_same_v<V, Quad>;
+
 /// One row of the picture, in each of its layers.
 template <Value V, Real R>
 void render_row(const Plan<R>& plan, const RenderOptions& options, int y, Rendering& result,
@@ -208,11 +213,13 @@ void render_row(const Plan<R>& plan, const RenderOptions& options, int y, Render
   for (int x = 0; x < view.width; x += kStretch<V> * kLanes<V>) {
     const int left = (view.width - x + kLanes<V> - 1) / kLanes<V>;
     const int count = std::min(left, kStretch<V>);
-    if (bare) {
-      render_stretch(plan, options, BareTask{}, x, y, count, row, result);
-    } else {
-      render_stretch(plan, options, task, x, y, count, row, result);
+    if constexpr (kHasBareTask<V>) {
+      if (bare) {
+        render_stretch(plan, options, BareTask{}, x, y, count, row, result);
+        continue;
+      }
     }
+    render_stretch(plan, options, task, x, y, count, row, result);
   }
   if (counts) {
     counts->camera_rays += std::uint64_t(view.width) * std::uint64_t(view.samples * view.samples);
