@@ -26,8 +26,10 @@ namespace fs = std::filesystem;
 constexpr double kBoost = 65536;  // one step of 16 bits becomes 1: well inside a half float
 constexpr double kOpacity =
     0.5;  // of the screen: half of what it takes off, half of what is behind
-constexpr double kScreen = 0.01;        // its distance; POV-Ray sees nothing nearer than 1e-4
-constexpr int kProcessesPerThread = 6;  // a process sleeps most of its time
+constexpr double kScreen = 0.01;  // its distance; POV-Ray sees nothing nearer than 1e-4
+// A process sleeps most of its time. Beside Blender, POV-Ray ends last with 4 of them, with 8
+// first.
+constexpr int kProcessesPerThread = 6;
 constexpr std::size_t kFramesOfAProcess = 16;  // a frame sleeps 0.2 s
 constexpr double kRaysOfAFrame = 1e5;          // that could be traced while it sleeps
 // What it says where a busy machine has not started its threads within the time that it allows

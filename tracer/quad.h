@@ -13,6 +13,7 @@
 
 namespace litmus {
 
+/// Behaves as double does, but for conversions to other types, which must be asked for.
 class Quad {
  public:
   Quad() = default;
@@ -32,7 +33,6 @@ class Quad {
   friend constexpr Quad operator*(const Quad& a, const Quad& b) { return a.value_ * b.value_; }
   friend constexpr Quad operator/(const Quad& a, const Quad& b) { return a.value_ / b.value_; }
   constexpr Quad& operator+=(const Quad& b) { return *this = *this + b; }
-  constexpr Quad& operator-=(const Quad& b) { return *this = *this - b; }
   constexpr Quad& operator*=(const Quad& b) { return *this = *this * b; }
   constexpr Quad& operator/=(const Quad& b) { return *this = *this / b; }
 
@@ -50,7 +50,6 @@ class Quad {
 
 inline Quad abs(const Quad& x) { return fabsq(x.value()); }
 inline Quad fabs(const Quad& x) { return fabsq(x.value()); }
-inline Quad floor(const Quad& x) { return floorq(x.value()); }
 inline Quad sqrt(const Quad& x) { return sqrtq(x.value()); }
 inline Quad cos(const Quad& x) { return cosq(x.value()); }
 inline Quad sin(const Quad& x) { return sinq(x.value()); }
@@ -62,8 +61,6 @@ inline Quad log1p(const Quad& x) { return log1pq(x.value()); }
 inline Quad atan2(const Quad& y, const Quad& x) { return atan2q(y.value(), x.value()); }
 inline Quad frexp(const Quad& x, int* exponent) { return frexpq(x.value(), exponent); }
 inline Quad ldexp(const Quad& x, int exponent) { return ldexpq(x.value(), exponent); }
-inline bool isfinite(const Quad& x) { return finiteq(x.value()); }
-inline bool isnan(const Quad& x) { return isnanq(x.value()); }
 
 }  // namespace litmus
 

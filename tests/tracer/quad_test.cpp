@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 namespace litmus {
 namespace {
 
@@ -24,9 +22,8 @@ TEST(Quad, HasTheRangeOfLongDouble) {
 
 TEST(Quad, IsNotOrderedWithWhatIsNotANumber) {
   const Quad nan = Limits::quiet_NaN();
-  EXPECT_TRUE(isnan(nan));
   EXPECT_FALSE(nan < 1 || nan > 1 || nan == nan);
-  EXPECT_FALSE(isfinite(nan) || isfinite(Limits::infinity()));
+  EXPECT_TRUE(nan != nan);
 }
 
 TEST(Quad, RoundsToDoubleAndTowardsZeroToIntegers) {
