@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "tracer/gauss.h"
 #include "tracer/lights.h"
 
 namespace litmus {
@@ -80,27 +81,6 @@ std::string_view sampler_name(Sampler sampler) {
   static constexpr std::string_view kNames[] = {"scene",    "centres", "corners",  "gauss-legendre",
                                                 "jittered", "r2",      "certified"};
   return kNames[std::size_t(sampler)];
-}
-
-GaussRule gauss_rule(int n) {
-  GaussRule rule;
-  for (int i = 0; i < n; ++i) {
-    double x = -std::cos(std::numbers::pi * (i + 0.75) / (n + 0.5)), slope = 0, step = 1;
-    while (std::fabs(step) > 1e-16) {
-      double p = 1, previous = 0;
-      for (int k = 1; k <= n; ++k) {
-        const double next = ((2 * k - 1) * x * p - (k - 1) * previous) / k;
-        previous = p, p = next;
-      }
-      slope = n * (x * p - previous) / (x * x - 1);
-      step = p / slope;
-      if (x == x - step) break;
-      x -= step;
-    }
-    rule.nodes.push_back(x);
-    rule.weights.push_back(1 / ((1 - x * x) * slope * slope));
-  }
-  return rule;
 }
 
 std::vector<LightSample> light_samples(Sampler sampler, int n, std::uint64_t pixel) {

@@ -33,13 +33,6 @@ struct LightSample {
 /// nor for the certified sampler, which has no fixed points.
 std::vector<LightSample> light_samples(Sampler sampler, int n, std::uint64_t pixel);
 
-/// Nodes (-1 to 1) and weights (adding up to 1) of Gauss-Legendre quadrature with n >= 1 points,
-/// by Newton's method on Legendre polynomials (Press et al. 2007, section 4.6).
-struct GaussRule {
-  std::vector<double> nodes, weights;
-};
-GaussRule gauss_rule(int n);
-
 /// What render() does where options.sampler or options.area_samples ask for other samples than the
 /// scene's own. Throws Refusal for what the samplers off the grid cannot do: precisions other than
 /// double, and shading = "sample-code", where each sample of an area light counts as a light.

@@ -1,8 +1,11 @@
 // certified.cpp: splitting an area light's rectangle until nothing is left to chance.
 #include "tracer/certified.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
+#include <optional>
 
 #include "scene/picture.h"
 #include "tracer/area_sampling.h"
@@ -28,17 +31,15 @@ Terms<double>& operator+=(Terms<double>& a, const Terms<double>& b) {
   return a;
 }
 
-constexpr int kSplitsForSmallSpheres = 8;
-
-const GaussRule& rule_of(int points) {
-  static const std::array rules{gauss_rule(1), gauss_rule(2), gauss_rule(3)};
-  return rules[std::size_t(points - 1)];
-}
+/// Up to so many edges of meshes cut a piece that could still be split.
+constexpr std::size_t kFewEdges = 4;
+/// A polygon smaller than that is all rounding, as a share of its piece.
+constexpr double kNothing = 1e-12;
 
 /// A piece of the rectangle: u and v of its centre, from -1 to 1, and half its side.
 struct Piece {
   double u, v, half;
-  int splits;  ///< still allowed; below zero: done for the sake of a small sphere
+  int splits;  ///< still allowed
 };
 
 /// Whether a piece lies on the side of the surface that is lit.
@@ -52,7 +53,7 @@ struct Integrator {
   const V3& eye;
   const Finish<double>& finish;
   Terms<double> weight;
-  double tolerance;
+  double tolerance, widest_side;
   int first_parts;                    ///< along a side of the whole: 2 or 3; later ones are 2
   std::vector<Obstacle> obstacles{};  ///< a stack: each piece's are a range of it
   PanelTerms result{};
@@ -91,10 +92,10 @@ struct Integrator {
     return Sight::Undecided;
   }
 
-  std::vector<HalfPlane> hidden_by(const Shaft& shaft, const Obstacle& one) const {
+  HiddenPart hidden_by(const Shaft& shaft, const Obstacle& one) const {
     switch (one.kind) {
       case Kind::Sphere:
-        return hidden_part(shaft, sphere(one.index));
+        return hidden_part(shaft, sphere(one.index), widest_side);
       case Kind::Box:
         return hidden_part(shaft, box(one.index));
       case Kind::Plane:
@@ -152,32 +153,40 @@ struct Integrator {
 
   V3 at(double u, double v) const { return panel.center + u * panel.across + v * panel.up; }
 
-  /// D and S of a lamp on the rectangle, with nothing in the way.
-  Terms<double> terms_at(double u, double v) {
+  Incident<double> lamp_at(double u, double v) const {
     Lamp<double> lamp = panel.lamp;
     lamp.origin = at(u, v);
-    const Incident<double> light = incident(lamp, hit.point);
+    return incident(lamp, hit.point);
+  }
+
+  /// D and S of a lamp on the rectangle, with nothing in the way; D goes on below the horizon.
+  Terms<double> terms_at(double u, double v) {
+    const Incident<double> light = lamp_at(u, v);
     ++result.evaluations;
-    if (!(dot(light.direction, hit.geometric) > 0)) return {};
-    const Terms<double> terms = equation_terms(light.direction, eye, hit.normal, finish.shininess,
-                                               light.intensity, finish.shiny);
-    if (terms.specular > light.intensity / 2) result.flags |= kHighlight;
+    Terms<double> terms{light.intensity * dot(light.direction, hit.normal), 0};
+    if (finish.shiny) {
+      terms.specular = light.intensity *
+                       specular_power(light.direction, eye, hit.normal, finish.shininess);
+      if (terms.specular > light.intensity / 2) result.flags |= kHighlight;
+    }
     return terms;
   }
 
-  bool ray_blocked(double u, double v) {
-    Lamp<double> lamp = panel.lamp;
-    lamp.origin = at(u, v);
+  /// Triangles only: what the other objects hide is known.
+  bool triangles_block(double u, double v) {
     ++result.rays;
-    return occluded(plan, hit, incident(lamp, hit.point));
+    const ShadowRay<double> ray = shadow_ray(hit, lamp_at(u, v));
+    return blocking_triangle<double>(plan, ray, own_triangle(hit, 0)) >= 0;
   }
 
   LightPatch patch_of(const Piece& piece) const {
     const Direction<double> to = direction_of(at(piece.u, piece.v) - hit.point);
+    const Direction<double> across = direction_of(panel.across), up = direction_of(panel.up);
     return {panel.lamp,
             to.length,
-            piece.half * direction_of(panel.across).length / to.length,
-            piece.half * direction_of(panel.up).length / to.length,
+            piece.half * across.length / to.length,
+            piece.half * up.length / to.length,
+            std::max(std::fabs(dot(across.unit, to.unit)), std::fabs(dot(up.unit, to.unit))),
             to.unit,
             eye,
             hit.normal,
@@ -189,72 +198,124 @@ struct Integrator {
     return weight.diffuse * bound.diffuse + weight.specular * bound.specular <= tolerance;
   }
 
-  /// A piece in full view; false if it has to be split.
-  bool integrate(const Piece& piece) {
-    const auto bounds = quadrature_bounds(patch_of(piece));
+  /// The fewest points that keep the tolerance, or the most if none do.
+  int points_for(const std::array<RuleBound, kMostPoints>& bounds, Terms<double> RuleBound::*kind) {
     int points = 1;
-    while (!within_tolerance(bounds[std::size_t(points - 1)]) && points < kMostPoints) ++points;
-    const Terms<double>& bound = bounds[std::size_t(points - 1)];
-    if (!within_tolerance(bound) && piece.splits > 0) return false;
-    const GaussRule& rule = rule_of(points);
-    const double share = piece.half * piece.half;
+    while (points < kMostPoints && !within_tolerance(bounds[std::size_t(points - 1)].*kind))
+      ++points;
+    return points;
+  }
+
+  /// Adds the light of the region of a piece that has these moments.
+  void add_light(const Piece& piece, const Moments& moments, const Terms<double>& largest) {
+    const int points = moments.points;
+    const auto weights = node_weights(moments);
+    const GaussRule& rule = short_rule(points);
+    Terms<double> sum;
     for (int i = 0; i < points; ++i) {
       for (int j = 0; j < points; ++j) {
-        result.value += share * rule.weights[std::size_t(i)] * rule.weights[std::size_t(j)] *
-                        terms_at(piece.u + piece.half * rule.nodes[std::size_t(i)],
-                                 piece.v + piece.half * rule.nodes[std::size_t(j)]);
+        sum += weights[std::size_t(i * points + j)] *
+               terms_at(piece.u + piece.half * rule.nodes[std::size_t(i)],
+                        piece.v + piece.half * rule.nodes[std::size_t(j)]);
       }
     }
-    result.bound += share * bound;
+    const double share = moments.share();
+    sum.diffuse = std::clamp(sum.diffuse, 0.0, share * largest.diffuse);
+    sum.specular = std::clamp(sum.specular, 0.0, share * largest.specular);
+    result.value += piece.half * piece.half * sum;
     seen = true;
+  }
+
+  /// Calls visit(part) for the parts into which lines cut a polygon.
+  template <class Visit>
+  void cut(const Polygon& polygon, std::span<const HalfPlane> lines, const Visit& visit) {
+    if (polygon.area() < kNothing) return;
+    if (lines.empty()) return visit(polygon);
+    const HalfPlane& one = lines[0];
+    for (const HalfPlane& side : {one, HalfPlane{-one.constant, -one.along_u, -one.along_v}}) {
+      Polygon part = polygon;
+      part.clip(side);
+      cut(part, lines.subspan(1), visit);
+    }
+  }
+
+  /// What is in the way of a piece, as far as it is known.
+  struct Cover {
+    std::array<ConvexSet, kMostHidden> sets;
+    std::array<HalfPlane, kMostCuts> edges;
+    std::size_t set_count = 0, edge_count = 0;
+    double uncertain = 0;  ///< share of the piece
+
+    std::span<const ConvexSet> all_sets() const { return {sets.data(), set_count}; }
+    std::span<const HalfPlane> all_edges() const { return {edges.data(), edge_count}; }
+  };
+
+  /// Nothing if the obstacles from `first` on are too many or one of them cannot be told.
+  std::optional<Cover> cover_of(const Shaft& shaft, std::size_t first, std::size_t most_edges) const {
+    std::optional<Cover> cover(std::in_place);
+    for (std::size_t i = first; i < obstacles.size(); ++i) {
+      const Obstacle& one = obstacles[i];
+      if (one.kind == Kind::Triangle) {
+        if (one.index < 0 || cover->edge_count == most_edges) return {};
+        const MeshEdge& edge = occluders.edges.edges[std::size_t(one.index)];
+        cover->edges[cover->edge_count++] = beyond_edge(shaft, edge.a - hit.point, edge.b - hit.point);
+      } else {
+        if (cover->set_count == kMostHidden) return {};
+        const HiddenPart part = hidden_by(shaft, one);
+        if (part.set.count == 0) return {};
+        cover->sets[cover->set_count++] = part.set;
+        cover->uncertain += part.uncertain;
+      }
+    }
+    return cover;
+  }
+
+  /// Adds a piece whose obstacles are those from `first` on; false if it has to be split.
+  bool integrate(const Piece& piece, const Shaft& shaft, Facing side, std::size_t first) {
+    const bool last = piece.splits == 0;
+    const bool whole = side == Facing::Yes && first == obstacles.size();
+    const LightPatch patch = patch_of(piece);
+    const auto bounds = quadrature_bounds(patch);
+    const auto kind = whole ? &RuleBound::whole : &RuleBound::part;
+    Moments moments{points_for(bounds, kind)};
+    const Terms<double>& bound = bounds[std::size_t(moments.points - 1)].*kind;
+    if (!last && !within_tolerance(bound)) return false;
+    const std::optional<Cover> cover = cover_of(shaft, first, last ? kMostCuts : kFewEdges);
+    const Terms<double> largest = largest_terms(patch);
+    if (!cover) return last && (estimate(piece, largest), true);
+    if (!last && !within_tolerance(cover->uncertain * largest)) return false;
+
+    Polygon facing = Polygon::square();
+    if (side == Facing::Mixed)
+      facing.clip(above(shaft, hit.geometric)), facing.clip(above(shaft, hit.normal));
+    const bool ask = near_triangles(shaft);
+    cut(facing, cover->all_edges(), [&](const Polygon& part) {
+      const Corner middle = part.centroid();
+      if (!ask || !triangles_block(piece.u + piece.half * middle.u, piece.v + piece.half * middle.v))
+        add_visible(moments, part, cover->all_sets());
+    });
+    const double share = std::clamp(moments.share(), 0.0, 1.0);
+    hidden = hidden || share < facing.area() / 4 - kNothing;
+    const double area = piece.half * piece.half;
+    result.bound += area * share * bound;
+    result.bound += area * cover->uncertain * largest;
+    if (share > kNothing) add_light(piece, moments, largest);
     return true;
   }
 
-  /// Whether an undecided sphere looks smaller than the piece: its outline is then no tangent.
-  bool hides_a_small_sphere(const Piece& piece, const Shaft& shaft, std::size_t first) const {
-    if (piece.splits <= -kSplitsForSmallSpheres) return false;
-    const double size = direction_of(shaft.across + shaft.up).length;
-    const double distance = direction_of(shaft.center).length;
-    for (std::size_t i = first; i < obstacles.size(); ++i) {
-      if (obstacles[i].kind != Kind::Sphere) continue;
-      const SphereSurface<double> one = sphere(obstacles[i].index);
-      if (one.radius * distance < size * direction_of(one.center).length) return true;
-    }
-    return false;
-  }
-
-  /// Adds a part of a piece, seen or not as its centroid is.
-  void add_part(const Piece& piece, const VisiblePart& part, bool ask) {
-    if (part.share == 0) return;
-    const double u = piece.u + piece.half * part.u, v = piece.v + piece.half * part.v;
-    if (ask && ray_blocked(u, v)) {
+  /// A piece about which little is known, by its centre.
+  void estimate(const Piece& piece, const Terms<double>& largest) {
+    const double area = piece.half * piece.half;
+    result.bound += area * largest;
+    const Incident<double> light = lamp_at(piece.u, piece.v);
+    ++result.rays;
+    if (occluded(plan, hit, light)) {
       hidden = true;
-      return;
-    }
-    seen = true;
-    result.value += piece.half * piece.half * part.share * terms_at(u, v);
-  }
-
-  /// A piece that is partly in view, or may be: past the one thing at which the shadow ends, or by
-  /// its centre.
-  void estimate(const Piece& piece, const Shaft& shaft, std::size_t first) {
-    const bool one = obstacles.size() - first == 1 && obstacles[first].index >= 0;
-    if (one && obstacles[first].kind == Kind::Triangle) {
-      const MeshEdge& edge = occluders.edges.edges[std::size_t(obstacles[first].index)];
-      const HalfPlane half = beyond_edge(shaft, edge.a - hit.point, edge.b - hit.point);
-      const HalfPlane other{-half.constant, -half.along_u, -half.along_v};
-      for (const HalfPlane& side : {half, other})
-        add_part(piece, visible_part(std::span(&side, 1)), true);
-    } else if (const auto planes =
-                   one ? hidden_by(shaft, obstacles[first]) : std::vector<HalfPlane>{};
-               !planes.empty()) {
-      const VisiblePart part = visible_part(planes);
-      hidden = hidden || part.share < 1;
-      add_part(piece, part, near_triangles(shaft));
     } else {
-      add_part(piece, {1, 0, 0}, plan.shadows);
+      Moments moments{1};
+      moments.of[0][0] = 1;
+      add_light(piece, moments, largest);
     }
-    result.bound += piece.half * piece.half * largest_terms(patch_of(piece));
   }
 
   void split(const Piece& piece, std::size_t first) {
@@ -280,12 +341,6 @@ struct Integrator {
                                  piece.half * panel.up);
     const Facing side = facing(shaft);
     if (side == Facing::No) return;
-    if (side == Facing::Mixed) {
-      if (piece.splits > 0) return split(piece, first);
-      obstacles.resize(first);
-      return estimate(piece, shaft, first);
-    }
-
     // What is not clear stays; one object that covers everything ends it.
     std::size_t kept = first;
     for (std::size_t i = first; i < obstacles.size(); ++i) {
@@ -298,17 +353,7 @@ struct Integrator {
       if (past == Sight::Undecided) obstacles[kept++] = one;
     }
     obstacles.resize(kept);
-    if (kept > first) {
-      return piece.splits > 0 || hides_a_small_sphere(piece, shaft, first)
-                 ? split(piece, first)
-                 : estimate(piece, shaft, first);
-    }
-    // All of it meets a triangle, or nothing of it does.
-    if (near_triangles(shaft) && ray_blocked(piece.u, piece.v)) {
-      hidden = true;
-      return;
-    }
-    if (!integrate(piece)) split(piece, first);
+    if (!integrate(piece, shaft, side, first)) split(piece, first);
   }
 };
 
@@ -326,6 +371,7 @@ PanelTerms certified_terms(const Plan<double>& plan, const Occluders& occluders,
                         panel,         hit,
                         eye,           plan.finishes[std::size_t(hit.object)],
                         weight,        1 / (double(finest) * finest),
+                        std::min(std::numbers::pi / 4, 2.0 / finest),
                         thirds ? 3 : 2};
   if (plan.shadows) integrator.collect();
   integrator.look({0, 0, 1, thirds ? splits - 1 : splits}, 0);

@@ -9,56 +9,112 @@ namespace {
 
 constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
-/// Bounds of |D| and |S| where the vector to the light differs from that to the centre by `delta`
-/// of its length, in complex coordinates.
-Terms<double> bounds_within(const LightPatch& patch, double delta) {
-  const double q = 2 * delta + delta * delta;
+/// Of the nodes of 1 to 4 points: the largest sum of |l_i(x)|, which is at x = 1, and how far the
+/// interpolant of Chebyshev's first polynomial that is not among its own is off.
+struct Nodes {
+  double lebesgue, first;
+};
+constexpr std::array<Nodes, kMostPoints> kNodes{
+    {{1, 1}, {1.7321, 4 / 3.}, {2.3334, 8 / 5.}, {2.8552, 64 / 35.}}};
+
+/// What the vectors to the points of a piece have in common.
+struct Reach {
+  double nearest;      ///< distance over that of the centre
+  double slant;        ///< largest |cosine| with a side
+  double turn, angle;  ///< how far l differs from the centre's: length, radians
+  double sum2;         ///< at least |l + e|^2
+  double low, high;    ///< of |n - h|
+};
+
+Reach reach_of(const LightPatch& patch) {
+  const double spread = std::hypot(patch.across, patch.up);
+  const double flat = 1 - 2 * patch.slant * (patch.across + patch.up);
+  Reach reach{};
+  reach.nearest = std::max({0.0, 1 - spread, std::sqrt(std::max(0.0, flat))});
+  reach.slant = std::min(1.0, (patch.slant + std::max(patch.across, patch.up)) / reach.nearest);
+  const double cosine = std::sqrt(std::max(0.0, 1 - spread * spread));
+  reach.turn = spread < 1 ? std::sqrt(2 - 2 * cosine) : 2;
+  reach.angle = spread < 1 ? std::asin(spread) : 4;
+  if (!patch.shiny) return reach;
+  reach.sum2 = std::max(0.0, 2 + 2 * dot(patch.l, patch.e) - 2 * reach.turn);
+  const double apart = direction_of(patch.n - normalize(patch.l + patch.e)).length;
+  const double moves = reach.angle / std::sqrt(reach.sum2);
+  reach.low = std::max(0.0, apart - moves), reach.high = std::min(2.0, apart + moves);
+  return reach;
+}
+
+double weakened(const LightPatch& patch, double distance) {
+  const double x = patch.distance * distance / patch.lamp.range;
+  return patch.lamp.attenuated ? linear_attenuation(x, patch.lamp.linear) *
+                                     quadratic_attenuation(x, patch.lamp.quadratic)
+                               : 1.0;
+}
+
+/// Upper bound of x^n.
+double power_bound(double x, double n) { return std::exp(n * (x - 1)); }
+
+/// Bounds of |D| and |S| where the vector to the light differs from one to the piece by `delta` of
+/// its length, in complex coordinates.
+Terms<double> bounds_within(const LightPatch& patch, const Reach& reach, double delta) {
+  const double q = 2 * delta * reach.slant + delta * delta;
   if (!(q < 1)) return {kUnbounded, kUnbounded};
   const double eta = 1 - std::sqrt(1 - q), lambda = (delta + eta) / (1 - eta);
-  const double x = patch.distance * (1 - eta) / patch.lamp.range;
-  const double weakened = patch.lamp.attenuated ? linear_attenuation(x, patch.lamp.linear) *
-                                                      quadratic_attenuation(x, patch.lamp.quadratic)
-                                                : 1.0;
-  Terms<double> bound{weakened * (dot(patch.l, patch.n) + lambda), 0};
+  const double most = weakened(patch, reach.nearest * (1 - eta));
+  const double cosine = std::min(1.0, std::fabs(dot(patch.l, patch.n)) + reach.turn);
+  Terms<double> bound{most * (cosine + lambda), 0};
   if (!patch.shiny) return bound;
-  const double above = dot(patch.l + patch.e, patch.n), below = 2 + 2 * dot(patch.l, patch.e);
+  bound.specular = kUnbounded;
+  if (!(2 * lambda < reach.sum2)) return bound;
+  const double theta = 1 - std::sqrt(1 - 2 * lambda / reach.sum2);
+  const double epsilon = (lambda / std::sqrt(reach.sum2) + theta) / (1 - theta);
+  if (!((reach.high + epsilon) * (reach.high + epsilon) < 2)) return bound;
+  const double t = std::clamp(epsilon, reach.low, reach.high);
+  const double real = 1 - (t * t - 2 * t * epsilon - epsilon * epsilon) / 2;
+  const double imaginary = reach.high * epsilon + epsilon * epsilon / 2;
   bound.specular =
-      lambda < above && 2 * lambda < below
-          ? weakened * std::pow((above + lambda) / std::sqrt(below - 2 * lambda), patch.shininess)
-          : kUnbounded;
+      most * power_bound(real * real + imaginary * imaginary, patch.shininess / 2);
   return bound;
+}
+
+Terms<double> largest_within(const LightPatch& patch, const Reach& reach) {
+  const double most = weakened(patch, reach.nearest);
+  const double cosine = std::clamp(dot(patch.l, patch.n) + reach.turn, 0.0, 1.0);
+  return {most * cosine,
+          patch.shiny ? most * power_bound(1 - reach.low * reach.low / 2, patch.shininess) : 0};
 }
 
 }  // namespace
 
 Terms<double> largest_terms(const LightPatch& patch) {
-  const double delta = patch.across + patch.up;
-  Terms<double> bound = bounds_within(patch, delta);
-  // Slide 5's terms are at most 1 of what arrives.
-  const double x = std::max(0.0, patch.distance * (1 - delta)) / patch.lamp.range;
-  const double most = patch.lamp.attenuated ? linear_attenuation(x, patch.lamp.linear) *
-                                                  quadratic_attenuation(x, patch.lamp.quadratic)
-                                            : 1.0;
-  return {std::clamp(bound.diffuse, 0.0, most), patch.shiny ? std::min(bound.specular, most) : 0.0};
+  return largest_within(patch, reach_of(patch));
 }
 
-std::array<Terms<double>, kMostPoints> quadrature_bounds(const LightPatch& patch) {
+std::array<RuleBound, kMostPoints> quadrature_bounds(const LightPatch& patch) {
+  const Reach reach = reach_of(patch);
   // Both the value and its estimate lie between 0 and the largest term.
-  std::array<Terms<double>, kMostPoints> best;
-  best.fill(largest_terms(patch));
-  const double side = std::max(patch.across, patch.up);
-  for (const double reach : {0.35, 0.2, 0.1, 0.04, 0.01}) {
-    const double axis = (reach - side) / side;  // of the ellipse: (rho + 1/rho) / 2
-    if (!(axis > 1)) break;
-    const double rho = axis + std::sqrt(axis * axis - 1), shrink = 1 / (rho * rho);
-    const Terms<double> most = bounds_within(patch, reach);
-    double power = shrink / (1 - shrink);  // rho^(-2 points) / (1 - rho^-2)
-    for (int points = 1; points <= kMostPoints; ++points, power *= shrink) {
-      // Half of the factor is the error of a mean over [-1, 1]; there are two directions.
-      const double factor = (points == 1 ? 16.0 / 3 : 64.0 / 15) * power;
-      Terms<double>& bound = best[std::size_t(points - 1)];
+  const Terms<double> largest = largest_within(patch, reach);
+  std::array<RuleBound, kMostPoints> best;
+  best.fill({largest, largest});
+  if (!(reach.nearest > 0)) return best;
+  const double side = std::max(patch.across, patch.up) / reach.nearest;
+  for (const double delta : {0.5, 0.3, 0.15, 0.06, 0.02}) {
+    const double half_width = delta / side;  // of the ellipse: (rho - 1/rho) / 2
+    const double rho = half_width + std::sqrt(half_width * half_width + 1);
+    const double shrink = 1 / (rho * rho);
+    const Terms<double> most = bounds_within(patch, reach, delta);
+    const auto improve = [&](Terms<double>& bound, double factor) {
       bound.diffuse = std::min(bound.diffuse, factor * most.diffuse);
       if (patch.shiny) bound.specular = std::min(bound.specular, factor * most.specular);
+    };
+    double whole = shrink / (1 - shrink);  // rho^(-2 points) / (1 - rho^-2)
+    double part = 2 / rho;                 // 2 rho^-points
+    for (int points = 1; points <= kMostPoints; ++points, whole *= shrink, part /= rho) {
+      RuleBound& bound = best[std::size_t(points - 1)];
+      const Nodes& nodes = kNodes[std::size_t(points - 1)];
+      // Half of the factor is the error of a mean over [-1, 1]; there are two directions.
+      improve(bound.whole, (points == 1 ? 16.0 / 3 : 64.0 / 15) * whole);
+      improve(bound.part, part * (1 + nodes.lebesgue) *
+                              (nodes.first + (1 + nodes.lebesgue) / (rho - 1)));
     }
   }
   return best;

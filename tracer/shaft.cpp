@@ -1,8 +1,9 @@
-// shaft.cpp: separating planes, blocked corners, and clipping a square.
+// shaft.cpp: separating planes, blocked corners, and outlines.
 #include "tracer/shaft.h"
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace litmus {
 namespace {
@@ -153,8 +154,25 @@ bool before_base(const Shaft& shaft, double at, double half) {
   return plane > 0 ? at + half < plane : at - half > plane;
 }
 
-HalfPlane half_plane(const Shaft& shaft, const V3& normal, double offset = 0) {
-  return {dot(normal, shaft.center) + offset, dot(normal, shaft.across), dot(normal, shaft.up)};
+/// The angles around an axis through the apex, from `middle` to `side`, at which the pyramid lies.
+struct Arc {
+  V3 middle, side;  ///< unit, orthogonal to the axis
+  double first, last;
+};
+
+Arc arc_across(const Shaft& shaft, const V3& axis) {
+  const V3 aside = shaft.center - dot(shaft.center, axis) * axis;
+  const V3 any = std::fabs(axis.x) < 0.6 ? V3{1, 0, 0} : V3{0, 1, 0};
+  const bool clear = max_abs(aside) > kMargin * max_abs(shaft.center);
+  Arc arc{normalize(clear ? aside : any - dot(any, axis) * axis), {}, 0, 0};
+  arc.side = plain_cross(axis, arc.middle);
+  for (const V3& corner : shaft.corners) {
+    const double x = dot(corner, arc.middle), y = dot(corner, arc.side);
+    if (!(x > 0)) return {arc.middle, arc.side, -std::numbers::pi, std::numbers::pi};
+    const double angle = std::atan2(y, x);
+    arc.first = std::min(arc.first, angle), arc.last = std::max(arc.last, angle);
+  }
+  return arc;
 }
 
 }  // namespace
@@ -234,78 +252,68 @@ bool may_meet(const Shaft& shaft, const BoxSurface<double>& box) {
   return !beside(shaft, box, margin_of(box));
 }
 
-std::vector<HalfPlane> hidden_part(const Shaft& shaft, const SphereSurface<double>& sphere) {
-  const double apart = direction_of(sphere.center).length;
-  if (apart <= sphere.radius ||
+HiddenPart hidden_part(const Shaft& shaft, const SphereSurface<double>& sphere, double widest) {
+  const Direction<double> to = direction_of(sphere.center);
+  if (to.length <= sphere.radius ||
       !before_base(shaft, dot(shaft.axes[4].normal, sphere.center), sphere.radius)) {
     return {};
   }
-  // How far a line of sight is inside the sphere's outline: nearly linear across the boundary.
-  const auto depth = [&](const V3& to) {
-    return sphere.radius - direction_of(plain_cross(sphere.center, normalize(to))).length;
+  const double sine = sphere.radius / to.length, cosine = std::sqrt((1 - sine) * (1 + sine));
+  const Arc arc = arc_across(shaft, to.unit);
+  const double wanted = std::ceil((arc.last - arc.first) / widest);
+  const int count = int(std::clamp(wanted, 1.0, double(kMostSides)));
+  const double half = (arc.last - arc.first) / (2 * count);
+  // The cone of tangents is where sine (axis.d) > cosine (outwards.d) for every way outwards.
+  const HalfPlane along_axis = above(shaft, sine * to.unit);
+  std::array<HalfPlane, kMostSides> outwards;
+  for (int i = 0; i < count; ++i) {
+    const double angle = arc.first + (2 * i + 1) * half;
+    outwards[std::size_t(i)] =
+        above(shaft, (cosine * std::cos(angle)) * arc.middle + (cosine * std::sin(angle)) * arc.side);
+  }
+  const auto polygon = [&](double size) {
+    ConvexSet set;
+    for (int i = 0; i < count; ++i) {
+      const HalfPlane& out = outwards[std::size_t(i)];
+      set.add({size * along_axis.constant - out.constant, size * along_axis.along_u - out.along_u,
+               size * along_axis.along_v - out.along_v});
+    }
+    return set;
   };
-  const double d0 = depth(shaft.corners[0]), d1 = depth(shaft.corners[1]),
-               d2 = depth(shaft.corners[2]), d3 = depth(shaft.corners[3]);
-  // The mean over the base, also of a quadratic function.
-  const double mean = ((d0 + d1 + d2 + d3) / 4 + 2 * depth(shaft.center)) / 3;
-  return {{mean, (d1 + d2 - d0 - d3) / 4, (d2 + d3 - d0 - d1) / 4}};
+  Polygon around = Polygon::square(), within = around;
+  around.clip(polygon(1)), within.clip(polygon(std::cos(half)));
+  return {polygon(std::sqrt(half / std::tan(half))), (around.area() - within.area()) / 4};
 }
 
-std::vector<HalfPlane> hidden_part(const Shaft& shaft, const BoxSurface<double>& box) {
+HiddenPart hidden_part(const Shaft& shaft, const BoxSurface<double>& box) {
   const V3& base = shaft.axes[4].normal;
+  HiddenPart part;
   if (contains_apex(box, margin_of(box)) ||
       !before_base(shaft, dot(base, middle(box)), half_width(half_size(box), base))) {
-    return {};
+    return part;
   }
-  std::vector<HalfPlane> planes;
   for_each_silhouette_plane(box, [&](const V3& normal, double) {
-    planes.push_back(half_plane(shaft, normal));
+    part.set.add(above(shaft, normal));
     return false;
   });
-  return planes;
+  return part;
 }
 
-std::vector<HalfPlane> hidden_part(const Shaft& shaft, const PlaneSurface<double>& plane) {
+HiddenPart hidden_part(const Shaft& shaft, const PlaneSurface<double>& plane) {
   const double apex = dot(plane.normal, plane.point);
-  return {half_plane(shaft, apex > 0 ? plane.normal : -plane.normal, -std::fabs(apex))};
+  HalfPlane behind = above(shaft, apex > 0 ? plane.normal : -plane.normal);
+  behind.constant -= std::fabs(apex);
+  HiddenPart part;
+  part.set.add(behind);
+  return part;
+}
+
+HalfPlane above(const Shaft& shaft, const V3& normal) {
+  return {dot(normal, shaft.center), dot(normal, shaft.across), dot(normal, shaft.up)};
 }
 
 HalfPlane beyond_edge(const Shaft& shaft, const V3& a, const V3& b) {
-  return half_plane(shaft, plain_cross(a, b));
-}
-
-VisiblePart visible_part(std::span<const HalfPlane> hidden) {
-  // Clip the square -1..1 by one half-plane after the other (Sutherland and Hodgman 1974).
-  struct Corner {
-    double u, v;
-  };
-  std::vector<Corner> polygon{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
-  for (const HalfPlane& h : hidden) {
-    const auto value = [&](const Corner& c) {
-      return h.constant + h.along_u * c.u + h.along_v * c.v;
-    };
-    std::vector<Corner> kept;
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-      const Corner &from = polygon[i], &to = polygon[(i + 1) % polygon.size()];
-      const double a = value(from), b = value(to);
-      if (a > 0) kept.push_back(from);
-      if ((a > 0) != (b > 0)) {
-        const double t = a / (a - b);
-        kept.push_back({from.u + t * (to.u - from.u), from.v + t * (to.v - from.v)});
-      }
-    }
-    polygon = std::move(kept);
-    if (polygon.empty()) return {1, 0, 0};
-  }
-  double area = 0, u = 0, v = 0;  // 8 and 24 times the share and the moments
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Corner &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
-    const double twice = a.u * b.v - b.u * a.v;
-    area += twice, u += twice * (a.u + b.u), v += twice * (a.v + b.v);
-  }
-  const double share = std::clamp(1 - area / 8, 0.0, 1.0);
-  if (share == 0) return {0, 0, 0};
-  return {share, std::clamp(-u / 24 / share, -1.0, 1.0), std::clamp(-v / 24 / share, -1.0, 1.0)};
+  return above(shaft, plain_cross(a, b));
 }
 
 }  // namespace litmus

@@ -2,10 +2,9 @@
 #pragma once
 
 #include <array>
-#include <span>
-#include <vector>
 
 #include "tracer/intersect.h"
+#include "tracer/region.h"
 
 namespace litmus {
 
@@ -49,25 +48,23 @@ bool may_meet(const Shaft& shaft, const Vec<double>& a, const Vec<double>& b);
 /// The same for a box.
 bool may_meet(const Shaft& shaft, const BoxSurface<double>& box);
 
-/// a + b u + c v > 0 on the base, where u and v run from -1 to 1 along across and up.
-struct HalfPlane {
-  double constant, along_u, along_v;
+/// What an undecided object hides of the base, u and v running from -1 to 1 along across and up.
+struct HiddenPart {
+  ConvexSet set;         ///< without sides: not known
+  double uncertain = 0;  ///< the share of the base about which it may be wrong
 };
 
-/// What an undecided object hides of the base is where all of these hold, if the object is in front
-/// of the base and does not contain the apex; empty otherwise. Exact for boxes (their silhouette)
-/// and planes; for a sphere the conic's tangent, which is off by O(size^2).
-std::vector<HalfPlane> hidden_part(const Shaft& shaft, const SphereSurface<double>& sphere);
-std::vector<HalfPlane> hidden_part(const Shaft& shaft, const BoxSurface<double>& box);
-std::vector<HalfPlane> hidden_part(const Shaft& shaft, const PlaneSurface<double>& plane);
+/// Known if the object is in front of the base and does not contain the apex. Exact for boxes (their
+/// silhouette) and planes. A sphere's outline is a circle on the cone of its tangents: of the arc
+/// across the base a polygon with sides of at most `widest` radians and the area of the circle's
+/// sector; what may be wrong is what lies between the polygons inside and around the circle.
+HiddenPart hidden_part(const Shaft& shaft, const SphereSurface<double>& sphere, double widest);
+HiddenPart hidden_part(const Shaft& shaft, const BoxSurface<double>& box);
+HiddenPart hidden_part(const Shaft& shaft, const PlaneSurface<double>& plane);
 
 /// The base's part on one side of the plane through the apex and a segment.
 HalfPlane beyond_edge(const Shaft& shaft, const Vec<double>& a, const Vec<double>& b);
-
-/// The part of the base where not all half-planes hold: its share of the area, and its centroid.
-struct VisiblePart {
-  double share, u, v;
-};
-VisiblePart visible_part(std::span<const HalfPlane> hidden);
+/// The base's part on that side of the plane through the apex that `normal` points to.
+HalfPlane above(const Shaft& shaft, const Vec<double>& normal);
 
 }  // namespace litmus
