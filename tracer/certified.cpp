@@ -32,7 +32,7 @@ Terms<double>& operator+=(Terms<double>& a, const Terms<double>& b) {
 }
 
 /// Up to so many edges of meshes cut a piece that could still be split.
-constexpr std::size_t kFewEdges = 4;
+constexpr std::size_t kFewEdges = 8;
 /// A polygon smaller than that is all rounding, as a share of its piece.
 constexpr double kNothing = 1e-12;
 
@@ -53,10 +53,14 @@ struct Integrator {
   const V3& eye;
   const Finish<double>& finish;
   Terms<double> weight;
-  double tolerance, widest_side;
+  double tolerance;                   ///< of quadrature
+  double outline_tolerance;           ///< of what is in view
+  double widest_side;                 ///< of a sphere's outline, radians
+  int fewest_points;                  ///< of quadrature along a side of a piece
   int first_parts;                    ///< along a side of the whole: 2 or 3; later ones are 2
   std::vector<Obstacle> obstacles{};  ///< a stack: each piece's are a range of it
   PanelTerms result{};
+  bool mesh_ends = false;  ///< some mesh's shadow ends on the rectangle
   bool seen = false, hidden = false;
 
   SphereSurface<double> sphere(int i) const {
@@ -108,8 +112,11 @@ struct Integrator {
   }
 
   /// Every object but the surface itself, where it is flat or seen from outside, and the edges of
-  /// meshes before the whole rectangle.
-  void collect() {
+  /// meshes before the whole rectangle. False where no light comes from it.
+  bool collect() {
+    const Shaft shaft = shaft_to(at(0, 0) - hit.point, panel.across, panel.up);
+    if (facing(shaft) == Facing::No) return false;
+    if (!plan.shadows) return true;
     const auto add = [&](Kind kind, std::size_t count, bool own_counts) {
       for (int i = 0; i < int(count); ++i)
         if (own_counts || hit.kind != kind || hit.index != i) obstacles.push_back({kind, i});
@@ -117,12 +124,16 @@ struct Integrator {
     add(Kind::Sphere, plan.spheres.size(), seen_from_inside());
     add(Kind::Box, plan.boxes.size(), seen_from_inside());
     add(Kind::Plane, plan.planes.size(), false);
-    const Shaft shaft = shaft_to(at(0, 0) - hit.point, panel.across, panel.up);
-    if (!near_triangles(shaft)) return;
-    std::vector<std::uint32_t> edges;
+    if (!near_triangles(shaft)) return true;
+    thread_local std::vector<std::uint32_t> edges;
+    edges.clear();
     find_shadow_ends(occluders.edges, hit.point, shaft, edges);
     for (const std::uint32_t edge : edges) obstacles.push_back({Kind::Triangle, int(edge)});
     if (panel.meets_triangles) obstacles.push_back({Kind::Triangle, -1});
+    // All of the rectangle is behind triangles, or nothing of it.
+    mesh_ends = !edges.empty() || panel.meets_triangles;
+    if (!mesh_ends) hidden = triangles_block(0, 0);
+    return !hidden;
   }
 
   bool seen_from_inside() const {
@@ -165,8 +176,8 @@ struct Integrator {
     ++result.evaluations;
     Terms<double> terms{light.intensity * dot(light.direction, hit.normal), 0};
     if (finish.shiny) {
-      terms.specular = light.intensity *
-                       specular_power(light.direction, eye, hit.normal, finish.shininess);
+      terms.specular =
+          light.intensity * specular_power(light.direction, eye, hit.normal, finish.shininess);
       if (terms.specular > light.intensity / 2) result.flags |= kHighlight;
     }
     return terms;
@@ -194,15 +205,15 @@ struct Integrator {
             finish.shiny};
   }
 
-  bool within_tolerance(const Terms<double>& bound) const {
-    return weight.diffuse * bound.diffuse + weight.specular * bound.specular <= tolerance;
+  double weighed(const Terms<double>& terms) const {
+    return weight.diffuse * terms.diffuse + weight.specular * terms.specular;
   }
+  bool within_tolerance(const Terms<double>& bound) const { return weighed(bound) <= tolerance; }
 
   /// The fewest points that keep the tolerance, or the most if none do.
-  int points_for(const std::array<RuleBound, kMostPoints>& bounds, Terms<double> RuleBound::*kind) {
-    int points = 1;
-    while (points < kMostPoints && !within_tolerance(bounds[std::size_t(points - 1)].*kind))
-      ++points;
+  int points_for(const std::array<Terms<double>, kMostPoints>& bounds) const {
+    int points = fewest_points;
+    while (points < kMostPoints && !within_tolerance(bounds[std::size_t(points - 1)])) ++points;
     return points;
   }
 
@@ -226,39 +237,44 @@ struct Integrator {
     seen = true;
   }
 
-  /// Calls visit(part) for the parts into which lines cut a polygon.
+  /// Calls visit(part) for parts of a polygon that no edge crosses.
   template <class Visit>
-  void cut(const Polygon& polygon, std::span<const HalfPlane> lines, const Visit& visit) {
+  void cut(const Polygon& polygon, std::span<const SeenEdge> edges, const Visit& visit) {
     if (polygon.area() < kNothing) return;
-    if (lines.empty()) return visit(polygon);
-    const HalfPlane& one = lines[0];
+    while (!edges.empty() && !may_cross(polygon, edges[0])) edges = edges.subspan(1);
+    if (edges.empty()) return visit(polygon);
+    const HalfPlane& one = edges[0].line;
     for (const HalfPlane& side : {one, HalfPlane{-one.constant, -one.along_u, -one.along_v}}) {
       Polygon part = polygon;
       part.clip(side);
-      cut(part, lines.subspan(1), visit);
+      cut(part, edges.subspan(1), visit);
     }
   }
 
   /// What is in the way of a piece, as far as it is known.
   struct Cover {
     std::array<ConvexSet, kMostHidden> sets;
-    std::array<HalfPlane, kMostCuts> edges;
+    std::array<SeenEdge, kMostCuts> edges;
     std::size_t set_count = 0, edge_count = 0;
     double uncertain = 0;  ///< share of the piece
 
+    Cover() {}
+
     std::span<const ConvexSet> all_sets() const { return {sets.data(), set_count}; }
-    std::span<const HalfPlane> all_edges() const { return {edges.data(), edge_count}; }
+    std::span<const SeenEdge> all_edges() const { return {edges.data(), edge_count}; }
   };
 
   /// Nothing if the obstacles from `first` on are too many or one of them cannot be told.
-  std::optional<Cover> cover_of(const Shaft& shaft, std::size_t first, std::size_t most_edges) const {
+  std::optional<Cover> cover_of(const Shaft& shaft, std::size_t first,
+                                std::size_t most_edges) const {
     std::optional<Cover> cover(std::in_place);
     for (std::size_t i = first; i < obstacles.size(); ++i) {
       const Obstacle& one = obstacles[i];
       if (one.kind == Kind::Triangle) {
         if (one.index < 0 || cover->edge_count == most_edges) return {};
         const MeshEdge& edge = occluders.edges.edges[std::size_t(one.index)];
-        cover->edges[cover->edge_count++] = beyond_edge(shaft, edge.a - hit.point, edge.b - hit.point);
+        cover->edges[cover->edge_count++] =
+            seen_edge(shaft, edge.a - hit.point, edge.b - hit.point);
       } else {
         if (cover->set_count == kMostHidden) return {};
         const HiddenPart part = hidden_by(shaft, one);
@@ -275,23 +291,23 @@ struct Integrator {
     const bool last = piece.splits == 0;
     const bool whole = side == Facing::Yes && first == obstacles.size();
     const LightPatch patch = patch_of(piece);
-    const auto bounds = quadrature_bounds(patch);
-    const auto kind = whole ? &RuleBound::whole : &RuleBound::part;
-    Moments moments{points_for(bounds, kind)};
-    const Terms<double>& bound = bounds[std::size_t(moments.points - 1)].*kind;
+    const auto bounds = quadrature_bounds(patch, whole ? Region::Whole : Region::Part);
+    Moments moments{points_for(bounds)};
+    const Terms<double>& bound = bounds[std::size_t(moments.points - 1)];
     if (!last && !within_tolerance(bound)) return false;
     const std::optional<Cover> cover = cover_of(shaft, first, last ? kMostCuts : kFewEdges);
     const Terms<double> largest = largest_terms(patch);
     if (!cover) return last && (estimate(piece, largest), true);
-    if (!last && !within_tolerance(cover->uncertain * largest)) return false;
+    if (!last && cover->uncertain * weighed(largest) > outline_tolerance) return false;
 
     Polygon facing = Polygon::square();
     if (side == Facing::Mixed)
       facing.clip(above(shaft, hit.geometric)), facing.clip(above(shaft, hit.normal));
-    const bool ask = near_triangles(shaft);
+    const bool ask = mesh_ends && near_triangles(shaft);
     cut(facing, cover->all_edges(), [&](const Polygon& part) {
       const Corner middle = part.centroid();
-      if (!ask || !triangles_block(piece.u + piece.half * middle.u, piece.v + piece.half * middle.v))
+      if (!ask ||
+          !triangles_block(piece.u + piece.half * middle.u, piece.v + piece.half * middle.v))
         add_visible(moments, part, cover->all_sets());
     });
     const double share = std::clamp(moments.share(), 0.0, 1.0);
@@ -367,14 +383,19 @@ PanelTerms certified_terms(const Plan<double>& plan, const Occluders& occluders,
   while (finest < n) finest *= 2, ++splits;
   const bool thirds = finest >= 4 && finest / 4 * 3 >= n;
   if (thirds) finest = finest / 4 * 3;
-  Integrator integrator{plan,          occluders,
-                        panel,         hit,
-                        eye,           plan.finishes[std::size_t(hit.object)],
-                        weight,        1 / (double(finest) * finest),
-                        std::min(std::numbers::pi / 4, 2.0 / finest),
+  Integrator integrator{plan,
+                        occluders,
+                        panel,
+                        hit,
+                        eye,
+                        plan.finishes[std::size_t(hit.object)],
+                        weight,
+                        std::pow(finest, -3.0),
+                        std::pow(finest, -2.0),
+                        std::min(std::numbers::pi / 4, 1.0 / finest),
+                        std::min(1 + splits, 3),
                         thirds ? 3 : 2};
-  if (plan.shadows) integrator.collect();
-  integrator.look({0, 0, 1, thirds ? splits - 1 : splits}, 0);
+  if (integrator.collect()) integrator.look({0, 0, 1, thirds ? splits - 1 : splits}, 0);
   PanelTerms& result = integrator.result;
   if (integrator.seen) result.flags |= integrator.hidden ? kPenumbra : kLit;
   if (!integrator.seen && integrator.hidden) result.flags |= kUmbra;

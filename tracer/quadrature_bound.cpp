@@ -9,13 +9,16 @@ namespace {
 
 constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
-/// Of the nodes of 1 to 4 points: the largest sum of |l_i(x)|, which is at x = 1, and how far the
-/// interpolant of Chebyshev's first polynomial that is not among its own is off.
+/// Of the nodes of 1 to 4 points: the factor for Gauss's rule; the largest sum of |l_i(x)|, which
+/// is at x = 1; and how far the interpolant of the first Chebyshev polynomial that is not its own
+/// is off.
 struct Nodes {
-  double lebesgue, first;
+  double whole, lebesgue, first;
 };
-constexpr std::array<Nodes, kMostPoints> kNodes{
-    {{1, 1}, {1.7321, 4 / 3.}, {2.3334, 8 / 5.}, {2.8552, 64 / 35.}}};
+constexpr std::array<Nodes, kMostPoints> kNodes{{{16 / 3., 1, 1},
+                                                 {64 / 15., 1.7321, 4 / 3.},
+                                                 {64 / 15., 2.3334, 8 / 5.},
+                                                 {64 / 15., 2.8552, 64 / 35.}}};
 
 /// What the vectors to the points of a piece have in common.
 struct Reach {
@@ -27,7 +30,7 @@ struct Reach {
 };
 
 Reach reach_of(const LightPatch& patch) {
-  const double spread = std::hypot(patch.across, patch.up);
+  const double spread = std::sqrt(patch.across * patch.across + patch.up * patch.up);
   const double flat = 1 - 2 * patch.slant * (patch.across + patch.up);
   Reach reach{};
   reach.nearest = std::max({0.0, 1 - spread, std::sqrt(std::max(0.0, flat))});
@@ -71,8 +74,7 @@ Terms<double> bounds_within(const LightPatch& patch, const Reach& reach, double 
   const double t = std::clamp(epsilon, reach.low, reach.high);
   const double real = 1 - (t * t - 2 * t * epsilon - epsilon * epsilon) / 2;
   const double imaginary = reach.high * epsilon + epsilon * epsilon / 2;
-  bound.specular =
-      most * power_bound(real * real + imaginary * imaginary, patch.shininess / 2);
+  bound.specular = most * power_bound(real * real + imaginary * imaginary, patch.shininess / 2);
   return bound;
 }
 
@@ -89,32 +91,29 @@ Terms<double> largest_terms(const LightPatch& patch) {
   return largest_within(patch, reach_of(patch));
 }
 
-std::array<RuleBound, kMostPoints> quadrature_bounds(const LightPatch& patch) {
+std::array<Terms<double>, kMostPoints> quadrature_bounds(const LightPatch& patch, Region region) {
   const Reach reach = reach_of(patch);
   // Both the value and its estimate lie between 0 and the largest term.
-  const Terms<double> largest = largest_within(patch, reach);
-  std::array<RuleBound, kMostPoints> best;
-  best.fill({largest, largest});
+  std::array<Terms<double>, kMostPoints> best;
+  best.fill(largest_within(patch, reach));
   if (!(reach.nearest > 0)) return best;
   const double side = std::max(patch.across, patch.up) / reach.nearest;
   for (const double delta : {0.5, 0.3, 0.15, 0.06, 0.02}) {
     const double half_width = delta / side;  // of the ellipse: (rho - 1/rho) / 2
     const double rho = half_width + std::sqrt(half_width * half_width + 1);
-    const double shrink = 1 / (rho * rho);
+    const double shrink = 1 / rho, outside = 1 / (rho - 1);
     const Terms<double> most = bounds_within(patch, reach, delta);
-    const auto improve = [&](Terms<double>& bound, double factor) {
+    double power = shrink;  // rho^-points
+    for (int points = 1; points <= kMostPoints; ++points, power *= shrink) {
+      const Nodes& nodes = kNodes[std::size_t(points - 1)];
+      const double spread = 1 + nodes.lebesgue;
+      // Half of the factor for the whole is the error of a mean over [-1, 1], in two directions.
+      const double factor = region == Region::Whole
+                                ? nodes.whole * power * power / (1 - shrink * shrink)
+                                : 2 * power * spread * (nodes.first + spread * outside);
+      Terms<double>& bound = best[std::size_t(points - 1)];
       bound.diffuse = std::min(bound.diffuse, factor * most.diffuse);
       if (patch.shiny) bound.specular = std::min(bound.specular, factor * most.specular);
-    };
-    double whole = shrink / (1 - shrink);  // rho^(-2 points) / (1 - rho^-2)
-    double part = 2 / rho;                 // 2 rho^-points
-    for (int points = 1; points <= kMostPoints; ++points, whole *= shrink, part /= rho) {
-      RuleBound& bound = best[std::size_t(points - 1)];
-      const Nodes& nodes = kNodes[std::size_t(points - 1)];
-      // Half of the factor is the error of a mean over [-1, 1]; there are two directions.
-      improve(bound.whole, (points == 1 ? 16.0 / 3 : 64.0 / 15) * whole);
-      improve(bound.part, part * (1 + nodes.lebesgue) *
-                              (nodes.first + (1 + nodes.lebesgue) / (rho - 1)));
     }
   }
   return best;

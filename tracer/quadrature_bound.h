@@ -23,14 +23,12 @@ struct LightPatch {
 /// Upper bounds of the terms D and S (shade.h) anywhere on the piece. Nothing is in the way.
 Terms<double> largest_terms(const LightPatch& patch);
 
-/// How far the integral of a term over a region of a piece can be off, over the piece's area.
-struct RuleBound {
-  Terms<double> whole;  ///< of the whole piece
-  Terms<double> part;   ///< of any region of it, times the region's share
-};
+/// What is integrated over: a whole piece, or any region of it.
+enum class Region { Whole, Part };
 
 /// Bounds on the error of points x points nodes of Gauss-Legendre quadrature of D and S over a piece
-/// on which no cosine changes its sign (node_weights(), region.h: without that gate it may).
+/// on which no cosine changes its sign, or of node_weights() (region.h) over a region of it, times
+/// the region's share of its area; there D may go on below 0.
 ///
 /// An m-point rule on [-1, 1] is off by at most (64/15) M rho^(-2m) / (1 - rho^-2), m >= 2, for a
 /// function that is analytic and at most M in the Bernstein ellipse rho (Trefethen 2013, theorem
@@ -53,6 +51,6 @@ struct RuleBound {
 ///     |S| <= attenuation(d (1 - eta)) |h'.n|^ns,
 /// all of it analytic while q < 1, 2 lambda < L^2 and t + epsilon < sqrt(2). Several delta are tried.
 /// Rounding is not counted.
-std::array<RuleBound, kMostPoints> quadrature_bounds(const LightPatch& patch);
+std::array<Terms<double>, kMostPoints> quadrature_bounds(const LightPatch& patch, Region region);
 
 }  // namespace litmus

@@ -7,10 +7,14 @@ namespace {
 
 /// P_0 to P_kMostPoints at x.
 std::array<double, kMostPoints + 1> legendre(double x) {
-  std::array<double, kMostPoints + 1> p{1, x};
-  for (std::size_t i = 1; i < kMostPoints; ++i)
-    p[i + 1] = (double(2 * i + 1) * x * p[i] - double(i) * p[i - 1]) / double(i + 1);
-  return p;
+  const double square = x * x;
+  return {1, x, 1.5 * square - 0.5, (2.5 * square - 1.5) * x,
+          (4.375 * square - 3.75) * square + 0.375};
+}
+
+/// Their integrals that are x, and 0 at -1 and 1, at x: (P_(i+1) - P_(i-1)) / (2 i + 1).
+std::array<double, kMostPoints> legendre_integrals(const std::array<double, kMostPoints + 1>& p) {
+  return {p[1], (p[2] - p[0]) * (1 / 3.), (p[3] - p[1]) * (1 / 5.), (p[4] - p[2]) * (1 / 7.)};
 }
 
 /// (2 i + 1) w_a P_i(x_a): a function's values at the nodes to its Legendre coefficients.
@@ -104,12 +108,11 @@ void add_polygon(Moments& moments, const Polygon& polygon, double sign) {
     if (rise == 0) continue;
     for (std::size_t g = 0; g < points; ++g) {
       const double t = 0.5 * rule.nodes[g] + 0.5;
-      const auto p = legendre(a.u + t * (b.u - a.u)), q = legendre(a.v + t * (b.v - a.v));
+      const auto along = legendre_integrals(legendre(a.u + t * (b.u - a.u)));
+      const auto up = legendre(a.v + t * (b.v - a.v));
       const double weight = rise * rule.weights[g];
-      for (std::size_t i = 0; i < points; ++i) {
-        const double along = i == 0 ? p[1] : (p[i + 1] - p[i - 1]) / double(2 * i + 1);
-        for (std::size_t j = 0; j < points; ++j) moments.of[i][j] += weight * along * q[j];
-      }
+      for (std::size_t i = 0; i < points; ++i)
+        for (std::size_t j = 0; j < points; ++j) moments.of[i][j] += weight * along[i] * up[j];
     }
   }
 }

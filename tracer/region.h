@@ -1,6 +1,7 @@
 // region.h: convex parts of a square, and what is left of it in Legendre moments.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <span>
 
@@ -20,9 +21,9 @@ struct HalfPlane {
   double at(const Corner& c) const { return constant + along_u * c.u + along_v * c.v; }
 };
 
-inline constexpr int kMostSides = 24;   ///< of a convex set
-inline constexpr int kMostHidden = 4;   ///< sets that are cut away from a square
-inline constexpr int kMostCuts = 8;     ///< lines that it is cut by besides
+inline constexpr int kMostSides = 24;  ///< of a convex set
+inline constexpr int kMostHidden = 4;  ///< sets that are cut away from a square
+inline constexpr int kMostCuts = 24;   ///< lines that it is cut by besides
 inline constexpr int kMostCorners = 6 + kMostCuts + kMostHidden * kMostSides;
 
 /// The points for which all half-planes hold.
@@ -30,6 +31,13 @@ struct ConvexSet {
   int count = 0;
   std::array<HalfPlane, kMostSides> sides;
 
+  ConvexSet() {}
+  ConvexSet(const ConvexSet& other) { *this = other; }
+  ConvexSet& operator=(const ConvexSet& other) {
+    count = other.count;
+    std::copy_n(other.sides.begin(), count, sides.begin());
+    return *this;
+  }
   void add(const HalfPlane& side) { sides[std::size_t(count++)] = side; }
   std::span<const HalfPlane> all() const { return {sides.data(), std::size_t(count)}; }
 };

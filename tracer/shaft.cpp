@@ -11,6 +11,7 @@ namespace {
 using V3 = Vec<double>;
 
 constexpr double kMargin = 1e-12;  // of the distances: far above the rounding of a few operations
+constexpr int kFewestSides = 4;     // of the polygon for an arc across the base
 
 V3 least(const V3& a, const V3& b) {
   return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)};
@@ -24,10 +25,10 @@ V3 plain_cross(const V3& a, const V3& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-Shaft::Axis axis_of(const V3& direction, const std::array<V3, 4>& corners) {
-  Shaft::Axis axis{normalize(direction), 0, 0};
+Shaft::Axis axis_of(const V3& normal, const std::array<V3, 4>& corners) {
+  Shaft::Axis axis{normal, std::sqrt(dot(normal, normal)), 0, 0};
   for (const V3& corner : corners) {
-    const double at = dot(axis.normal, corner);
+    const double at = dot(normal, corner);
     axis.low = std::min(axis.low, at), axis.high = std::max(axis.high, at);
   }
   return axis;
@@ -37,7 +38,7 @@ Shaft::Axis axis_of(const V3& direction, const std::array<V3, 4>& corners) {
 template <class Center, class Radius>
 bool beside(const Shaft& shaft, double margin, Center center, Radius radius) {
   for (const Shaft::Axis& axis : shaft.axes) {
-    const double at = center(axis.normal), half = radius(axis.normal) + margin;
+    const double at = center(axis), half = radius(axis) + margin * axis.length;
     if (at - half > axis.high || at + half < axis.low) return true;
   }
   return false;
@@ -56,8 +57,8 @@ bool beside(const Shaft& shaft, const BoxSurface<double>& box, double margin) {
       return true;
   }
   return beside(
-      shaft, margin, [&](const V3& n) { return dot(n, center); },
-      [&](const V3& n) { return half_width(half, n); });
+      shaft, margin, [&](const Shaft::Axis& axis) { return dot(axis.normal, center); },
+      [&](const Shaft::Axis& axis) { return half_width(half, axis.normal); });
 }
 
 double margin_of(const BoxSurface<double>& box) {
@@ -197,8 +198,8 @@ Sight sight_past(const Shaft& shaft, const SphereSurface<double>& sphere) {
   if (apart < sphere.radius * (1 + kMargin)) return sight_out_of(shaft, sphere);
   if (beside(
           shaft, kMargin * (apart + sphere.radius),
-          [&](const V3& n) { return dot(n, sphere.center); },
-          [&](const V3&) { return sphere.radius; })) {
+          [&](const Shaft::Axis& axis) { return dot(axis.normal, sphere.center); },
+          [&](const Shaft::Axis& axis) { return sphere.radius * axis.length; })) {
     return Sight::Clear;
   }
   if (beyond_tangent_plane(shaft, sphere)) return Sight::Clear;
@@ -233,19 +234,19 @@ bool may_meet(const Shaft& shaft, const V3& a, const V3& b) {
   const double margin = kMargin * (max_abs(a) + max_abs(b));
   const V3 center = 0.5 * a + 0.5 * b, half = 0.5 * b - 0.5 * a;
   if (beside(
-          shaft, margin, [&](const V3& n) { return dot(n, center); },
-          [&](const V3& n) { return std::fabs(dot(n, half)); })) {
+          shaft, margin, [&](const Shaft::Axis& axis) { return dot(axis.normal, center); },
+          [&](const Shaft::Axis& axis) { return std::fabs(dot(axis.normal, half)); })) {
     return false;
   }
   // The plane through the apex and the edge.
-  const Direction<double> plane = direction_of(plain_cross(a, b));
-  if (plane.length == 0) return true;
-  const auto beyond = [&](double side) {
-    return std::all_of(shaft.corners.begin(), shaft.corners.end(), [&](const V3& corner) {
-      return side * dot(plane.unit, corner) > kMargin * max_abs(corner);
-    });
-  };
-  return !beyond(1) && !beyond(-1);
+  const V3 plane = plain_cross(a, b);
+  const double limit = kMargin * (max_abs(a) * max_abs(b));
+  bool left = true, right = true;
+  for (const V3& corner : shaft.corners) {
+    const double at = dot(plane, corner), none = limit * max_abs(corner);
+    left = left && at > none, right = right && at < -none;
+  }
+  return !left && !right;
 }
 
 bool may_meet(const Shaft& shaft, const BoxSurface<double>& box) {
@@ -254,22 +255,22 @@ bool may_meet(const Shaft& shaft, const BoxSurface<double>& box) {
 
 HiddenPart hidden_part(const Shaft& shaft, const SphereSurface<double>& sphere, double widest) {
   const Direction<double> to = direction_of(sphere.center);
-  if (to.length <= sphere.radius ||
-      !before_base(shaft, dot(shaft.axes[4].normal, sphere.center), sphere.radius)) {
+  if (to.length <= sphere.radius || !before_base(shaft, dot(shaft.axes[4].normal, sphere.center),
+                                                 sphere.radius * shaft.axes[4].length)) {
     return {};
   }
   const double sine = sphere.radius / to.length, cosine = std::sqrt((1 - sine) * (1 + sine));
   const Arc arc = arc_across(shaft, to.unit);
   const double wanted = std::ceil((arc.last - arc.first) / widest);
-  const int count = int(std::clamp(wanted, 1.0, double(kMostSides)));
+  const int count = int(std::clamp(wanted, double(kFewestSides), double(kMostSides)));
   const double half = (arc.last - arc.first) / (2 * count);
   // The cone of tangents is where sine (axis.d) > cosine (outwards.d) for every way outwards.
   const HalfPlane along_axis = above(shaft, sine * to.unit);
   std::array<HalfPlane, kMostSides> outwards;
   for (int i = 0; i < count; ++i) {
     const double angle = arc.first + (2 * i + 1) * half;
-    outwards[std::size_t(i)] =
-        above(shaft, (cosine * std::cos(angle)) * arc.middle + (cosine * std::sin(angle)) * arc.side);
+    outwards[std::size_t(i)] = above(
+        shaft, (cosine * std::cos(angle)) * arc.middle + (cosine * std::sin(angle)) * arc.side);
   }
   const auto polygon = [&](double size) {
     ConvexSet set;
@@ -312,8 +313,21 @@ HalfPlane above(const Shaft& shaft, const V3& normal) {
   return {dot(normal, shaft.center), dot(normal, shaft.across), dot(normal, shaft.up)};
 }
 
-HalfPlane beyond_edge(const Shaft& shaft, const V3& a, const V3& b) {
-  return above(shaft, plain_cross(a, b));
+SeenEdge seen_edge(const Shaft& shaft, const V3& a, const V3& b) {
+  const V3 normal = plain_cross(a, b);
+  return {above(shaft, normal), above(shaft, plain_cross(normal, a)),
+          above(shaft, plain_cross(b, normal))};
+}
+
+bool may_cross(const Polygon& polygon, const SeenEdge& edge) {
+  bool left = false, right = false, after = false, before = false;
+  for (const Corner& corner : polygon.corners()) {
+    const double side = edge.line.at(corner);
+    left = left || side > 0, right = right || side < 0;
+    after = after || edge.after_start.at(corner) > 0;
+    before = before || edge.before_end.at(corner) > 0;
+  }
+  return left && right && after && before;
 }
 
 }  // namespace litmus

@@ -12,7 +12,8 @@ namespace litmus {
 /// parallelogram with the corners center -+ across -+ up.
 struct Shaft {
   struct Axis {
-    Vec<double> normal;  ///< unit, or zero where the pyramid is flat
+    Vec<double> normal;  ///< of any length, zero where the pyramid is flat
+    double length;       ///< of the normal
     double low, high;    ///< of the pyramid along it
   };
   Vec<double> center, across, up;
@@ -54,17 +55,25 @@ struct HiddenPart {
   double uncertain = 0;  ///< the share of the base about which it may be wrong
 };
 
-/// Known if the object is in front of the base and does not contain the apex. Exact for boxes (their
-/// silhouette) and planes. A sphere's outline is a circle on the cone of its tangents: of the arc
-/// across the base a polygon with sides of at most `widest` radians and the area of the circle's
-/// sector; what may be wrong is what lies between the polygons inside and around the circle.
+/// Known if the object is in front of the base and does not contain the apex. Exact for boxes
+/// (their silhouette) and planes. A sphere's outline is a circle on the cone of its tangents: of
+/// the arc across the base a polygon with sides of at most `widest` radians and the area of the
+/// circle's sector; what may be wrong is what lies between the polygons inside and around the
+/// circle.
 HiddenPart hidden_part(const Shaft& shaft, const SphereSurface<double>& sphere, double widest);
 HiddenPart hidden_part(const Shaft& shaft, const BoxSurface<double>& box);
 HiddenPart hidden_part(const Shaft& shaft, const PlaneSurface<double>& plane);
 
-/// The base's part on one side of the plane through the apex and a segment.
-HalfPlane beyond_edge(const Shaft& shaft, const Vec<double>& a, const Vec<double>& b);
 /// The base's part on that side of the plane through the apex that `normal` points to.
 HalfPlane above(const Shaft& shaft, const Vec<double>& normal);
+
+/// A segment as it is seen on the base from the apex: where all three are 0 or more is one side of
+/// its line between its ends.
+struct SeenEdge {
+  HalfPlane line, after_start, before_end;
+};
+SeenEdge seen_edge(const Shaft& shaft, const Vec<double>& a, const Vec<double>& b);
+/// Whether it may cross the polygon.
+bool may_cross(const Polygon& polygon, const SeenEdge& edge);
 
 }  // namespace litmus

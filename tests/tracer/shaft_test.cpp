@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <random>
+#include <span>
 
 namespace litmus {
 namespace {
@@ -129,6 +130,21 @@ TEST(MayMeet, IsFalseOnlyBesideAnEdge) {
   EXPECT_LT(needless, 200);
 }
 
+/// The share of the base that a part leaves.
+double left_by(const HiddenPart& part) {
+  Moments moments{1};
+  add_visible(moments, Polygon::square(), std::span(&part.set, 1));
+  return moments.share();
+}
+
+double seen_past(const Shaft& shaft, const auto& object, int rays) {
+  double seen = 0;
+  for (int k = 0; k < rays; ++k)
+    for (int j = 0; j < rays; ++j)
+      seen += !meets(shaft, (2 * k + 1.0) / rays - 1, (2 * j + 1.0) / rays - 1, object);
+  return seen / (rays * rays);
+}
+
 TEST(HiddenPart, IsTheShareThatABoxHidesExactly) {
   Random random;
   int partly = 0;
@@ -138,25 +154,48 @@ TEST(HiddenPart, IsTheShareThatABoxHidesExactly) {
     const BoxSurface<double> box{corner, corner + V3{random(0.1, 1), random(0.1, 1), 0.4}};
     if (sight_past(shaft, box) != Sight::Undecided) continue;
     ++partly;
-    constexpr int kRays = 50;
-    double seen = 0;
-    for (int k = 0; k < kRays; ++k)
-      for (int j = 0; j < kRays; ++j)
-        seen += !meets(shaft, (2 * k + 1.0) / kRays - 1, (2 * j + 1.0) / kRays - 1, box);
-    EXPECT_NEAR(visible_part(hidden_part(shaft, box)).share, seen / (kRays * kRays), 0.03);
+    const HiddenPart part = hidden_part(shaft, box);
+    EXPECT_NEAR(left_by(part), seen_past(shaft, box, 50), 0.03);
+    EXPECT_EQ(part.uncertain, 0);
   }
   EXPECT_GT(partly, 300);
 }
 
-TEST(VisiblePart, IsTheRestOfTheSquareWithItsCentroid) {
-  const HalfPlane right_of{-0.5, 1, 0};  // u > 1/2 is hidden
-  const VisiblePart part = visible_part(std::span(&right_of, 1));
-  EXPECT_NEAR(part.share, 0.75, 1e-15);
-  EXPECT_NEAR(part.u, -0.25, 1e-15);
-  EXPECT_NEAR(part.v, 0, 1e-15);
-  const HalfPlane nothing{-3, 1, 1}, everything{3, 1, 1};
-  EXPECT_EQ(visible_part(std::span(&nothing, 1)).share, 1);
-  EXPECT_EQ(visible_part(std::span(&everything, 1)).share, 0);
+TEST(HiddenPart, IsTheShareThatASphereHidesWithinWhatIsUncertain) {
+  Random random;
+  int partly = 0, around = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const Shaft shaft = shaft_to({random(-1, 1), random(-1, 1), 3}, {0.5, 0, 0}, {0, 0.4, 0});
+    const SphereSurface<double> sphere{{random(-1, 1), random(-1, 1), random(1, 2)},
+                                       random(0.05, 0.7)};
+    if (sight_past(shaft, sphere) != Sight::Undecided) continue;
+    ++partly;
+    const double grid = 4.0 / 100;  // what a row of rays may be off
+    const HiddenPart coarse = hidden_part(shaft, sphere, 0.7),
+                     fine = hidden_part(shaft, sphere, 0.1);
+    EXPECT_NEAR(left_by(fine), seen_past(shaft, sphere, 100), fine.uncertain + grid / 4);
+    EXPECT_NEAR(left_by(coarse), left_by(fine), coarse.uncertain + fine.uncertain);
+    EXPECT_LT(fine.uncertain, 0.02);
+    around += fine.set.count == kMostSides;
+  }
+  EXPECT_GT(partly, 300);
+  EXPECT_GT(around, 20) << "some lie wholly before the base";
+}
+
+TEST(HiddenPart, OfASphereAroundTheBaseOrTheApexIsNotKnown) {
+  const Shaft shaft = shaft_to({0, 0, 3}, {0.5, 0, 0}, {0, 0.4, 0});
+  EXPECT_EQ(hidden_part(shaft, SphereSurface<double>{{0, 0, 3}, 0.2}, 0.1).set.count, 0);
+  EXPECT_EQ(hidden_part(shaft, SphereSurface<double>{{0, 0, 0.1}, 0.2}, 0.1).set.count, 0);
+  EXPECT_GT(hidden_part(shaft, SphereSurface<double>{{0, 0, 1}, 0.2}, 0.1).set.count, 0);
+}
+
+TEST(SeenEdge, CrossesAPolygonOnlyBetweenItsEnds) {
+  const Shaft shaft = shaft_to({0, 0, 2}, {1, 0, 0}, {0, 1, 0});
+  const Polygon square = Polygon::square();
+  EXPECT_TRUE(may_cross(square, seen_edge(shaft, {-2, 0.1, 1}, {2, 0.1, 1})));
+  EXPECT_TRUE(may_cross(square, seen_edge(shaft, {0, 0.1, 1}, {0.2, 0.3, 1.5})));
+  EXPECT_FALSE(may_cross(square, seen_edge(shaft, {0.6, 0.1, 1}, {2, 0.1, 1}))) << "begins beyond";
+  EXPECT_FALSE(may_cross(square, seen_edge(shaft, {-2, 0.6, 1}, {2, 0.6, 1}))) << "beside";
 }
 
 }  // namespace
