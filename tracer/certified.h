@@ -4,25 +4,10 @@
 
 #include <cstdint>
 
-#include "tracer/plan.h"
 #include "tracer/shade.h"
-#include "tracer/silhouette.h"
-#include "tracer/visibility.h"
+#include "tracer/viewpoint.h"
 
 namespace litmus {
-
-/// An area light as the rectangle that its samples stand for.
-struct Panel {
-  Lamp<double> lamp;             ///< any sample: its origin is moved
-  Vec<double> center;            ///< scene units
-  Vec<double> across, up;        ///< half the sides, along `right` and `up` (slide 20)
-  bool meets_triangles = false;  ///< some triangle may pass through the rectangle
-};
-
-/// What the integration needs of a scene's objects besides its plan, made once.
-struct Occluders {
-  EdgeTree edges;
-};
 
 /// Means of D and S over the rectangle, and how far they can be off.
 struct PanelTerms {
@@ -37,11 +22,11 @@ struct PanelTerms {
 /// one object provably covers it, all of it, or what the outlines of objects leave (shaft.h,
 /// region.h). Between edges of meshes at which a shadow may end (silhouette.h) one ray tells. That
 /// region is integrated by Gauss-Legendre quadrature of up to 4 points a side, as few as keep
-/// quadrature_bounds() within 1/n^2. A piece where they do not, or whose outlines are uncertain by
-/// more, is split, at most down to 1/n of the rectangle's sides, n rounded up to 2^k or 3 * 2^k.
-/// What is not known in the end (more than a few objects, one around the light or the surface point)
-/// counts with a ray to its centre; its whole area times the largest terms on it goes into the
-/// bound. So an occluder is found however small it is: no sample can miss it.
+/// quadrature_bounds() within 1/n^3. A piece where they do not, or whose outlines are uncertain by
+/// more than 1/n^2, is split, at most down to 1/n of the rectangle's sides, n rounded up to 2^k or
+/// 3 * 2^k. What is not known in the end (more than a few objects, one around the light or the
+/// surface point) counts with a ray to its centre; its whole area times the largest terms on it goes
+/// into the bound. So an occluder is found however small it is: no sample can miss it.
 PanelTerms certified_terms(const Plan<double>& plan, const Occluders& occluders, const Panel& panel,
                            const Hit<double>& hit, const Vec<double>& eye,
                            const Terms<double>& weight, int n);
