@@ -22,13 +22,14 @@ const CostPoint* first_within(const CostSeries& series, double error) {
   return nullptr;
 }
 
-/// "Max error 2e-3: grid n = 32 takes 132 times as long as grid n = 1; certified n = 4 11 times;
-/// ...".
+/// "Max error 2e-3: grid n = 32 at 132x the cost of grid n = 1; certified n = 4 at 11x; ...".
 std::string price_of(const CostTopic& topic, double error, const CostPoint& unit) {
   std::string text;
   const auto add = [&](const CostPoint& point, std::string_view who) {
-    text += fmt::format("{}{}{} {} times", text.empty() ? "" : ", ", who, point.words,
-                        short_number(point.time.least / unit.time.least));
+    const std::string ratio = short_number(point.time.least / unit.time.least);
+    text += text.empty()
+                ? fmt::format("{}{} at {}x the cost of {}", who, point.words, ratio, unit.words)
+                : fmt::format("; {}{} at {}x", who, point.words, ratio);
   };
   for (const char* name : {"grid", "certified"}) {
     const CostSeries* series = series_of(topic, name);
@@ -41,7 +42,7 @@ std::string price_of(const CostTopic& topic, double error, const CostPoint& unit
     if (best.point) add(*best.point, fmt::format("{} with ", title));
   }
   if (text.empty()) return "";
-  return fmt::format("Max error {}: {} the time of {}.", short_number(error), text, unit.words);
+  return fmt::format("Max error {}: {}.", short_number(error), text);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 #include "scene/load.h"
 #include "tests/tracer/scenes.h"
@@ -143,6 +144,56 @@ TEST(Certified, KeepsItsBoundOnAWholeSceneAndConverges) {
     EXPECT_LT(errors.largest, std::max(last / 3, own_error)) << n;
     last = errors.largest;
   }
+}
+
+/// A few objects anywhere between a floor and a panel, around and behind it too.
+Scene random_stage(std::mt19937_64& engine) {
+  const auto random = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(engine);
+  };
+  const auto point = [&](double low, double high) {
+    return Point{random(-2, 2), random(-2, 2), random(low, high)};
+  };
+  Scene scene = floor_from_above(10);
+  scene.materials[0].specular = Color(0.5), scene.materials[0].shininess = random(1, 60);
+  for (int i = 0; i < 3; ++i)
+    scene.objects.push_back(
+        {"ball", Sphere{point(0, 3), random(0.05, 0.8)}, 0, random(0, 1) < 0.5});
+  const Point corner = point(0, 2);
+  scene.objects.push_back(
+      {"box", Box{corner, corner + Point{random(0.1, 1.5), random(0.1, 1), random(0.1, 2)}}, 0,
+       true});
+  Mesh mesh;
+  for (int i = 0; i < 5; ++i) mesh.vertices.push_back(point(0.2, 2.5));
+  mesh.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 2, 3}, {2, 3, 4}};
+  scene.objects.push_back({"mesh", mesh, 0, random(0, 1) < 0.5});
+  AreaLight area;
+  area.point.origin = point(1.5, 4);
+  if (random(0, 1) < 0.5) area.normal = Vector(0, 0, -1);
+  area.width = random(0.1, 2), area.height = random(0.1, 2);
+  scene.lights = {make_light(area, "panel")};
+  return scene;
+}
+
+TEST(Certified, KeepsItsBoundAmongRandomObjects) {
+  std::mt19937_64 engine(3);
+  int partly = 0, control = 0;
+  for (int trial = 0; trial < 40; ++trial) {
+    Scene scene = random_stage(engine);
+    const Picture truth = render(scene, {.sampler = Sampler::Centres, .area_samples = 100}).whole;
+    const auto exact = [&](int x, int y) { return truth.at(x, y).x; };
+    // An edge along a row of the grid's samples may be off by half a row of 0.8 + 0.5.
+    const double own_error = 1.3 / 200;
+    for (const int n : {1, 2, 8}) {
+      const Errors errors = compared(render(scene, certified(n)), exact, own_error);
+      EXPECT_EQ(errors.beyond, 0) << trial << ", n = " << n;
+      partly += n == 8 && errors.largest_bound > 1e-6;
+    }
+    scene.objects.erase(scene.objects.begin() + 1);
+    control += compared(render(scene, certified(8)), exact, own_error).beyond;
+  }
+  EXPECT_GT(partly, 30);
+  EXPECT_GT(control, 100) << "a ball less is beyond the bound";
 }
 
 TEST(Certified, SplitsIntoThirdsFirstForNumbersInBetween) {
