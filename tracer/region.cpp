@@ -18,9 +18,9 @@ std::array<double, kMostPoints> legendre_integrals(const std::array<double, kMos
 }
 
 /// (2 i + 1) w_a P_i(x_a): a function's values at the nodes to its Legendre coefficients.
-using Projection = std::array<std::array<double, kMostPoints>, kMostPoints>;
-Projection projection_of(int points) {
-  Projection to{};
+using ToLegendre = std::array<std::array<double, kMostPoints>, kMostPoints>;
+ToLegendre to_legendre(int points) {
+  ToLegendre to{};
   const GaussRule& rule = short_rule(points);
   for (std::size_t a = 0; a < std::size_t(points); ++a) {
     const auto p = legendre(rule.nodes[a]);
@@ -129,10 +129,9 @@ void add_visible(Moments& moments, const Polygon& polygon, std::span<const Conve
 }
 
 std::array<double, kMostPoints * kMostPoints> node_weights(const Moments& moments) {
-  static const std::array projections{projection_of(1), projection_of(2), projection_of(3),
-                                      projection_of(4)};
+  static const std::array to_all{to_legendre(1), to_legendre(2), to_legendre(3), to_legendre(4)};
   const std::size_t points = std::size_t(moments.points);
-  const Projection& to = projections[points - 1];
+  const ToLegendre& to = to_all[points - 1];
   std::array<double, kMostPoints * kMostPoints> weights{};
   for (std::size_t i = 0; i < points; ++i) {
     for (std::size_t b = 0; b < points; ++b) {
