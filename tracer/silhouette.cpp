@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <span>
 #include <tuple>
 
 namespace litmus {
@@ -14,6 +15,7 @@ using Key = std::array<double, 6>;
 
 constexpr std::size_t kEdgesInLeaf = 4;
 constexpr double kSilhouetteMargin = 1e-12;
+constexpr double kFacingMargin = 1e-9;  // far above the rounding of a normal
 
 bool before(const V3& a, const V3& b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); }
 
@@ -26,9 +28,11 @@ std::vector<MeshEdge> edges_of(const std::vector<std::array<V3, 3>>& triangles) 
   for (const auto& corners : triangles) {
     for (std::size_t i = 0; i < 3; ++i) {
       V3 a = corners[i], b = corners[(i + 1) % 3];
-      if (before(b, a)) std::swap(a, b);
+      const bool turned = before(b, a);
+      if (turned) std::swap(a, b);
       Found& one = found[{a.x, a.y, a.z, b.x, b.y, b.z}];
       one.edge.a = a, one.edge.b = b;
+      if (one.triangles == 0) one.edge.turned = turned;
       if (one.triangles < 2) one.edge.opposite[std::size_t(one.triangles)] = corners[(i + 2) % 3];
       ++one.triangles;
     }
@@ -46,6 +50,38 @@ void grow(BoxSurface<double>& box, const V3& p) {
   box.max = {std::max(box.max.x, p.x), std::max(box.max.y, p.y), std::max(box.max.z, p.z)};
 }
 
+/// The normals of an edge's triangles, so that both face a point or both face away where the
+/// surface goes on. As the first one is wound: all alike on a well-made mesh.
+std::array<V3, 2> normals_of(const MeshEdge& edge) {
+  const V3 along = edge.turned ? edge.a - edge.b : edge.b - edge.a;
+  return {normalize(cross(along, edge.opposite[0] - edge.a)),
+          normalize(cross(edge.opposite[1] - edge.a, along))};
+}
+
+void find_facing(EdgeTree::Node& node, std::span<const MeshEdge> edges) {
+  V3 sum;
+  for (const MeshEdge& edge : edges) {
+    if (!edge.shared) return;
+    for (const V3& normal : normals_of(edge)) sum = sum + normal;
+  }
+  node.facing = normalize(sum);
+  node.cosine = 1;
+  for (const MeshEdge& edge : edges)
+    for (const V3& normal : normals_of(edge))
+      node.cosine = std::min(node.cosine, dot(node.facing, normal));
+}
+
+/// Whether all triangles at a node's edges surely face the apex, or all of them face away.
+bool face_one_way(const EdgeTree::Node& node, const V3& apex) {
+  if (!(node.cosine > 0)) return false;
+  const V3 to = 0.5 * node.box.min + 0.5 * node.box.max - apex, size = node.box.max - node.box.min;
+  const double along = std::fabs(dot(node.facing, to)), squared = dot(to, to);
+  const double across = std::sqrt(std::max(0.0, squared - along * along));
+  const double sine = std::sqrt(1 - node.cosine * node.cosine);
+  const double reach = 0.5 * std::sqrt(dot(size, size)) + kFacingMargin * std::sqrt(squared);
+  return along * node.cosine - across * sine > reach;
+}
+
 /// Splits the edges at the median of their middles along the longest side.
 void build(EdgeTree& tree, std::size_t begin, std::size_t end) {
   const std::size_t index = tree.nodes.size();
@@ -53,6 +89,7 @@ void build(EdgeTree& tree, std::size_t begin, std::size_t end) {
   BoxSurface<double> box{tree.edges[begin].a, tree.edges[begin].a};
   for (std::size_t i = begin; i < end; ++i) grow(box, tree.edges[i].a), grow(box, tree.edges[i].b);
   tree.nodes[index].box = box;
+  find_facing(tree.nodes[index], std::span(tree.edges).subspan(begin, end - begin));
   if (end - begin <= kEdgesInLeaf) {
     tree.nodes[index].first = std::uint32_t(begin),
     tree.nodes[index].count = std::uint32_t(end - begin);
@@ -99,6 +136,7 @@ void find_shadow_ends(const EdgeTree& tree, const V3& apex, const Shaft& shaft,
   while (depth > 0) {
     const std::uint32_t index = stack[--depth];
     const EdgeTree::Node& node = tree.nodes[index];
+    if (face_one_way(node, apex)) continue;
     if (!may_meet(shaft, BoxSurface<double>{node.box.min - apex, node.box.max - apex})) continue;
     if (node.count == 0) {
       stack[depth++] = node.first;

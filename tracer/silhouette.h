@@ -14,6 +14,7 @@ struct MeshEdge {
   Vec<double> a, b;
   std::array<Vec<double>, 2> opposite;  ///< the third corners of its two triangles
   bool shared;                          ///< by exactly two triangles; else it always ends a shadow
+  bool turned;                          ///< its first triangle runs from b to a
 };
 
 /// A tree of boxes over edges.
@@ -21,6 +22,8 @@ struct EdgeTree {
   struct Node {
     BoxSurface<double> box;
     std::uint32_t first = 0, count = 0;  ///< leaf: edges; else count is 0 and first the right child
+    Vec<double> facing;  ///< the normals of all its triangles are within an angle of this one
+    double cosine = -1;  ///< of that angle; below 0: too wide to be of use
   };
   std::vector<MeshEdge> edges;  ///< leaf by leaf
   std::vector<Node> nodes;      ///< the root first, a left child follows its parent

@@ -85,6 +85,30 @@ TEST(ShadowEnds, AreMissingOnlyWhereAllRaysAgree) { check_torus(false); }
 
 TEST(ShadowEnds, DoNotDependOnHowTrianglesAreWound) { check_torus(true); }
 
+TEST(ShadowEnds, AreAllContourEdgesThatMeetTheShaft) {
+  std::mt19937_64 engine(4);
+  std::uniform_real_distribution<double> random(-1, 1);
+  std::size_t total = 0;
+  for (const bool flip : {false, true}) {
+    const EdgeTree tree = edge_tree(torus(24, 12, flip));
+    for (int i = 0; i < 300; ++i) {
+      const V3 apex{2 * random(engine), 2 * random(engine), -2 * random(engine) - 0.5};
+      const Shaft shaft =
+          shaft_to(V3{random(engine), random(engine), 2} - apex, {0.5, 0, 0}, {0, 0.6, 0.03});
+      std::size_t expected = 0;
+      for (const MeshEdge& edge : tree.edges) {
+        const V3 a = edge.a - apex, b = edge.b - apex, plane = cross(a, b);
+        const bool contour =
+            dot(plane, edge.opposite[0] - apex) * dot(plane, edge.opposite[1] - apex) > 0;
+        expected += contour && may_meet(shaft, a, b);
+      }
+      EXPECT_EQ(count_ends(tree, apex, shaft), expected);
+      total += expected;
+    }
+  }
+  EXPECT_GT(total, 3000u);
+}
+
 TEST(ShadowEnds, AreTheBorderOfAnOpenSheet) {
   const EdgeTree tree = edge_tree(
       {{V3{-1, -1, 1}, V3{1, -1, 1}, V3{1, 1, 1}}, {V3{-1, -1, 1}, V3{1, 1, 1}, V3{-1, 1, 1}}});
