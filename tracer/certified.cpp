@@ -67,12 +67,9 @@ struct Integrator {
   Terms<double> terms_at(double u, double v) {
     const Incident<double> light = from.light(u, v);
     ++result.evaluations;
-    Terms<double> terms{light.intensity * dot(light.direction, from.hit.normal), 0};
-    if (finish.shiny) {
-      terms.specular =
-          light.intensity * specular_power(light.direction, eye, from.hit.normal, finish.shininess);
-      if (terms.specular > light.intensity / 2) result.flags |= kHighlight;
-    }
+    const Terms<double> terms = ungated_terms(light.direction, eye, from.hit.normal,
+                                              finish.shininess, light.intensity, finish.shiny);
+    if (terms.specular > light.intensity / 2) result.flags |= kHighlight;
     return terms;
   }
 

@@ -170,6 +170,15 @@ Terms<V> equation_terms(const Vec<V>& l, const Vec<V>& e, const Vec<V>& n,
   return terms;
 }
 
+/// The same without the gate, as smooth functions of l: D goes on below 0 where l.n does.
+template <Value V>
+Terms<V> ungated_terms(const Vec<V>& l, const Vec<V>& e, const Vec<V>& n,
+                       const std::type_identity_t<Exponent<V>>& shininess, const V& intensity,
+                       bool wants_specular) {
+  return {intensity * dot(l, n),
+          wants_specular ? V(intensity * specular_power(l, e, n, shininess)) : V(Scalar<V>(0))};
+}
+
 /// The sample code's reading: the specular term is not gated on n.l. (n.h is clamped at 0 so that
 /// it is finite.)
 template <Value V>

@@ -50,8 +50,7 @@ Terms<double> terms_at(const Piece& piece, double u, double v) {
   Lamp<double> lamp = patch.lamp;
   lamp.origin = lamp.origin + u * piece.across + v * piece.up;
   const Incident<double> light = incident(lamp, V3{});
-  return {light.intensity * dot(light.direction, patch.n),
-          light.intensity * specular_power(light.direction, patch.e, patch.n, patch.shininess)};
+  return ungated_terms(light.direction, patch.e, patch.n, patch.shininess, light.intensity, true);
 }
 
 Terms<double> quadrature(const Piece& piece, int points) {
