@@ -51,7 +51,9 @@ struct Counted {
   friend std::uint64_t bits_of(Counted a) { return litmus::bits_of(a.value); }
   friend double lane(Counted a, int) { return a.value; }
   friend void set_lane(Counted& a, int, double value) { a.value = value; }
-  friend void copy_lanes(Counted a, double* to) { *to = a.value; }
+  friend void copy_interleaved(Counted x, Counted y, Counted z, double* to) {
+    to[0] = x.value, to[1] = y.value, to[2] = z.value;
+  }
   friend Counted widen(Counted a) { return a; }
 };
 

@@ -46,7 +46,7 @@ LampExplanation explain_lamp(const Plan<double>& plan, const Lamp<double>& lamp,
     result.attenuation = result.linear * result.quadratic;
   }
   if (lamp.cone) {
-    result.alpha = angle_between(lamp.axis, -light.sharp);
+    result.alpha = cone_angle(lamp, hit.point);
     result.decay = spot_decay(result.alpha, lamp.cutoff, lamp.exponent);
   }
   result.intensity = light.intensity;

@@ -192,23 +192,22 @@ Settled<V> settle(const HitTriangles<V>& on, const Hit<V>& hit) {
   return settled;
 }
 
-/// A hit moved onto a surface; `on` are the lanes that are on it.
-template <Real R, Value V>
-Settled<V> settle_on(const Plan<R>& plan, const Hit<V>& hit, Kind kind, std::size_t index,
-                     const Mask<V>& on) {
+/// Calls use(a hit moved onto a surface); `on` are the lanes that are on it.
+template <Real R, Value V, class Use>
+void settle_on(const Plan<R>& plan, const Hit<V>& hit, Kind kind, std::size_t index,
+               const Mask<V>& on, const Use& use) {
   switch (kind) {
     case Kind::None:
-      return {};
+      break;
     case Kind::Sphere:
-      return settle(plan.spheres[index].shape, hit);
+      return use(settle(plan.spheres[index].shape, hit));
     case Kind::Plane:
-      return settle(plan.planes[index].shape, hit);
+      return use(settle(plan.planes[index].shape, hit));
     case Kind::Box:
-      return settle(plan.boxes[index].shape, hit);
+      return use(settle(plan.boxes[index].shape, hit));
     case Kind::Triangle:
-      return settle(triangles_of(plan, hit, on), hit);
+      return use(settle(triangles_of(plan, hit, on), hit));
   }
-  return {};
 }
 
 /// A hit moved onto the surface of each lane.
@@ -216,31 +215,23 @@ template <Real R, Value V>
 Settled<V> settle_each(const Plan<R>& plan, const Hit<V>& hit) {
   Settled<V> all;
   for_each_surface(hit, [&](int i, const Mask<V>& on) {
-    const Settled<V> one =
-        settle_on(plan, hit, kind_at(hit, i), std::size_t(lane(hit.index, i)), on);
-    if (all_of(on)) {
-      all = one;
-      return;
-    }
-    all = {select(on, one.point, all.point), select(on, one.geometric, all.geometric),
-           select(on, one.normal, all.normal), select(on, one.reach, all.reach),
-           select(on, one.outwards, all.outwards)};
+    const auto keep = [&](const Settled<V>& one) {
+      if (all_of(on)) {
+        all = one;
+        return;
+      }
+      all = {select(on, one.point, all.point), select(on, one.geometric, all.geometric),
+             select(on, one.normal, all.normal), select(on, one.reach, all.reach),
+             select(on, one.outwards, all.outwards)};
+    };
+    settle_on(plan, hit, kind_at(hit, i), std::size_t(lane(hit.index, i)), on, keep);
   });
   return all;
 }
 
-/// The geometric and shading normal of a hit, and its point moved onto the surface.
+/// Turns the normals of a hit towards the eye.
 template <Real R, Value V>
-void settle(const Plan<R>& plan, const Ray<V>& ray, Hit<V>& hit) {
-  Settled<V> all;
-  if (hit.one.kind != Kind::None) {
-    hit.point = ray.origin + hit.t * ray.direction;
-    all = settle_on(plan, hit, hit.one.kind, std::size_t(hit.one.index), Mask<V>(true));
-  } else {
-    const Mask<V> seen = hit.object >= Index<V>(0);
-    hit.point = ray.origin + select(seen, hit.t, V(R(0))) * ray.direction;
-    all = settle_each(plan, hit);
-  }
+void turn(const Plan<R>& plan, const Ray<V>& ray, const Settled<V>& all, Hit<V>& hit) {
   hit.point = all.point, hit.reach = all.reach;
   const Mask<V> turned = dot(all.geometric, ray.direction) > R(0);
   hit.geometric = select(turned, -all.geometric, all.geometric);
@@ -250,6 +241,20 @@ void settle(const Plan<R>& plan, const Ray<V>& ray, Hit<V>& hit) {
     return;
   }
   hit.normal = select(dot(all.normal, ray.direction) > R(0), -all.normal, all.normal);
+}
+
+/// The geometric and shading normal of a hit, and its point moved onto the surface.
+template <Real R, Value V>
+void settle(const Plan<R>& plan, const Ray<V>& ray, Hit<V>& hit) {
+  if (hit.one.kind != Kind::None) {
+    hit.point = ray.origin + hit.t * ray.direction;
+    settle_on(plan, hit, hit.one.kind, std::size_t(hit.one.index), Mask<V>(true),
+              [&](const Settled<V>& all) { turn(plan, ray, all, hit); });
+  } else {
+    const Mask<V> seen = hit.object >= Index<V>(0);
+    hit.point = ray.origin + select(seen, hit.t, V(R(0))) * ray.direction;
+    turn(plan, ray, settle_each(plan, hit), hit);
+  }
 }
 
 /// Asks for what will be read soon.
@@ -369,13 +374,14 @@ void find_closest(const Plan<R>& plan, const Ray<V>& ray, Hit<V>& best) {
       plan, ray, [&](auto, int, const Ball<R>& ball) { return any_of(may_meet(ball, ray)); }, best);
 }
 
-/// The same for rays through the points `across` of a row of the picture.
+/// The same for rays through the points `across` of a row of the picture, from left to right.
 template <Real R, Value V>
 void find_closest(const Plan<R>& plan, const Ray<V>& ray, const RowSpans<R>& spans, const V& across,
                   Hit<V>& best) {
+  const R first = lane(across, 0), last = lane(across, kLanes<V> - 1);
   const auto may_meet = [&](auto list, int i, const Ball<R>&) {
     const Span<R>& span = (spans.*list)[std::size_t(i)];
-    return any_of((across >= span.low) & (across <= span.high));
+    return first <= span.high && last >= span.low;
   };
   find_closest(plan, ray, may_meet, best);
 }

@@ -93,14 +93,15 @@ Finish<V> finish_of(const Plan<R>& plan, const Hit<V>& hit) {
 
 /// What is asked for, and how it is found.
 struct Task {
-  static constexpr bool kDoubts = false;  ///< squares that over- or underflow are only noted
-  bool edges, everything, sample_code;    ///< as in the plan
+  static constexpr bool kBare = false;
+  bool edges, everything, sample_code;  ///< as in the plan
   Counts* counts = nullptr;
 };
 
-/// Colours by the equation, the common case: the compiler leaves out all else.
+/// Colours by the equation, the common case: the compiler leaves out all else, and squares that
+/// over- or underflow are only noted.
 struct BareTask {
-  static constexpr bool kDoubts = true;
+  static constexpr bool kBare = true;
   static constexpr bool edges = false, everything = false, sample_code = false;
   static constexpr Counts* counts = nullptr;
 };
@@ -110,20 +111,29 @@ Task task_of(const Plan<R>& plan, Counts* counts = nullptr) {
   return {plan.edges, plan.everything, plan.sample_code, counts};
 }
 
-/// What one lamp does to a hit.
+/// What one lamp sends to a hit, step by step.
 template <Value V>
-struct LampTerms {
+struct LampLight {
   Incident<V> light;                      ///< weakened where the lamp is on the right side
+  V l_dot_n{};                            ///< cosine between the shading normal and the light
   Mask<V> faces = false, shades = false;  ///< the geometric, the shading normal is on its side
   Mask<V> open = false;                   ///< and the surface reflects at all
   Mask<V> reached = false;                ///< and there is light, if nothing is in its way
   Mask<V> lit = false;                    ///< and nothing is
-  Terms<V> terms;                         ///< not yet shared among the lamps; 0 where not lit
+  Rounded<V> h_dot_n{};                   ///< highlight_cosine(); unset where nothing shines
 };
 
-/// Weakens a lamp's light where `open` asks for it. A cosine settles most points outside of a cone.
+/// What one lamp does to a hit.
+template <Value V>
+struct LampTerms : LampLight<V> {
+  Terms<V> terms;  ///< not yet shared among the lamps; 0 where not lit
+};
+
+/// Weakens a lamp's light at a point where `open` asks for it. A cosine settles most points outside
+/// of a cone.
 template <Real R, Value V>
-void weaken(const Lamp<R>& lamp, const Mask<V>& open, Incident<V>& light, Counts* counts) {
+void weaken(const Lamp<R>& lamp, const Vec<V>& point, const Mask<V>& open, Incident<V>& light,
+            Counts* counts) {
   const bool cull = lamp.cone && !lamp.everything;
   const Mask<V> asked = cull ? open & may_be_in_cone(lamp, light) : open;
   if (cull && none_of(asked)) {
@@ -131,7 +141,7 @@ void weaken(const Lamp<R>& lamp, const Mask<V>& open, Incident<V>& light, Counts
     return;
   }
   if (lamp.attenuated) attenuate(lamp, light);
-  if (lamp.cone) narrow(lamp, light);
+  if (lamp.cone) narrow(lamp, point, light);
   if (!counts) return;
   const std::uint64_t points = std::uint64_t(count_of(asked));
   if (lamp.linear != R(0) || lamp.everything) counts->linear += points;
@@ -139,71 +149,88 @@ void weaken(const Lamp<R>& lamp, const Mask<V>& open, Incident<V>& light, Counts
   if (lamp.cone) counts->cones += points;
 }
 
+/// Whether the light of one lamp reaches a hit, and how much of it, if nothing is in its way; lit
+/// is left for see(), and a bare task does not ask for what leads to `reached`. `wanted` is where
+/// it matters at all. `doubt` as for direction_of().
+template <Real R, Value V, class T>
+void reach(const Plan<R>& plan, const Lamp<R>& lamp, const Hit<V>& hit, const Mask<V>& wanted,
+           const T& task, LampLight<V>& result, Doubt<V>* doubt = nullptr) {
+  // Which side is it on? The sample code does not ask.
+  Incident<V> light = aim(lamp, hit.point, doubt);
+  V cosine = dot(light.direction, hit.geometric);
+  const Mask<V> faces = cosine > R(0);
+  if (plan.smooth) cosine = dot(light.direction, hit.normal);
+  const Mask<V> shades = cosine > R(0);
+  const Mask<V> open = task.sample_code ? wanted : wanted & faces & shades;
+  // How much of it arrives?
+  Mask<V> reached = false;
+  if (any_of(open) || task.everything) {
+    weaken(lamp, hit.point, open, light, task.counts);
+    reached = task.sample_code ? open : open & (light.intensity > R(0));
+  }
+  result.light = light, result.l_dot_n = cosine, result.reached = reached;
+  if (!T::kBare) result.open = open, result.faces = faces, result.shades = shades;
+}
+
 /// occluded(), apart from the code around it: that need not keep room for what it does in there.
 template <Real R, Value V>
-[[gnu::noinline]] Mask<V> hidden_from(const Plan<R>& plan, const Hit<V>& hit, Incident<V> light,
-                                      Mask<V> asked, const Suspects& suspects) {
+[[gnu::noinline]] Mask<V> hidden_from(const Plan<R>& plan, const Hit<V>& hit,
+                                      const Incident<V>& light, Mask<V> asked,
+                                      const Suspects& suspects) {
   return occluded(plan, hit, light, asked, suspects);
 }
 
-/// Where nothing stands between a hit and a lamp that reaches it.
+/// Where nothing stands between a hit and a lamp that reaches it. Only the suspects can be in the
+/// way, if there are any.
 template <Real R, Value V, class T>
-Mask<V> unhidden(const Plan<R>& plan, const Hit<V>& hit, const LampTerms<V>& one,
-                 const Suspects* suspects, const T& task) {
-  if (!plan.shadows && !plan.idle_shadows) return one.reached;
+void see(const Plan<R>& plan, const Hit<V>& hit, const Suspects* suspects, const T& task,
+         LampLight<V>& one) {
+  one.lit = one.reached;
+  if (!plan.shadows && !plan.idle_shadows) return;
   const Mask<V> asked = task.everything ? hit.object >= Index<V>(0) : one.reached;
-  if (none_of(asked)) return one.reached;
+  if (none_of(asked)) return;
   if (task.counts) task.counts->shadow_rays += std::uint64_t(count_of(asked));
-  if (!suspects) return one.reached;
+  if (!suspects) return;
   const Mask<V> hidden = hidden_from(plan, hit, one.light, asked, *suspects);
-  return plan.shadows ? one.reached & !hidden : one.reached;
+  if (plan.shadows) one.lit = one.reached & !hidden;
 }
 
-/// Whether the light of one lamp reaches a hit, and how much of it; no terms yet. Only the suspects
-/// can be in the way, if there are any. `doubt` as for direction_of().
+/// Where a hit may shine in a lamp's light.
 template <Real R, Value V, class T>
-LampTerms<V> reach(const Plan<R>& plan, const Lamp<R>& lamp, const Hit<V>& hit,
-                   const Mask<V>& reflects, const Suspects* suspects, const T& task,
-                   Doubt<V>* doubt = nullptr) {
-  const Mask<V> seen = hit.object >= Index<V>(0);
-  // Which side is it on? The sample code does not ask.
-  LampTerms<V> result;
-  Incident<V>& light = result.light;
-  light = aim(lamp, hit.point, doubt);
-  result.faces = dot(light.direction, hit.geometric) > R(0);
-  result.shades = plan.smooth ? dot(light.direction, hit.normal) > R(0) : result.faces;
-  // A surface that reflects nothing has edges all the same.
-  const Mask<V> wanted = task.edges ? seen : seen & reflects;
-  if (task.counts) task.counts->lamps += std::uint64_t(count_of(seen));
-  result.open = task.sample_code ? wanted : wanted & result.faces & result.shades;
-  if (none_of(result.open) && !task.everything) return result;
-  // How much of it arrives?
-  weaken(lamp, result.open, light, task.counts);
-  result.reached = task.sample_code ? result.open : result.open & (light.intensity > R(0));
-  result.lit = unhidden(plan, hit, result, suspects, task);
-  return result;
+bool may_shine(const Finish<V>& finish, const T& task, const LampLight<V>& one) {
+  return any_of(one.lit & finish.shiny) || task.everything;
 }
 
-/// What the surface answers to a lamp's light: D and S at a hit seen from the direction `eye`
-/// (unit, towards the eye).
+/// Finds the half vector's cosine at a hit seen from the direction `eye` (unit, towards the eye).
 template <Real R, Value V, class T>
-void answer(const Plan<R>& plan, const Hit<V>& hit, const Finish<V>& finish, const Vec<V>& eye,
-            const T& task, LampTerms<V>& one, Doubt<V>* doubt = nullptr) {
-  const Vec<V>& normal = shading_normal(plan, hit);
-  const Incident<V>& light = one.light;
-  const Mask<V> shiny = one.lit & finish.shiny;
-  const Exponent<V>& shininess = finish.shininess;
-  const bool powers = any_of(shiny) || task.everything;
-  if (none_of(one.lit) && !powers) return;
-  if (task.counts && powers) {
-    const Mask<V> asked = task.everything ? hit.object >= Index<V>(0) : shiny;
+void halve(const Plan<R>& plan, const Hit<V>& hit, const Finish<V>& finish, const Vec<V>& eye,
+           const T& task, LampLight<V>& one, Doubt<V>* doubt = nullptr) {
+  if (!may_shine<R>(finish, task, one)) return;
+  one.h_dot_n = highlight_cosine(one.light.direction, eye, shading_normal(plan, hit),
+                                 finish.shininess, doubt);
+}
+
+/// What the surface answers to a lamp's light, D and S.
+template <Real R, Value V, class T>
+Terms<V> answer(const Hit<V>& hit, const Finish<V>& finish, const T& task,
+                const LampLight<V>& one) {
+  const bool shines = may_shine<R>(finish, task, one);
+  if (task.counts && shines) {
+    const Mask<V> asked = task.everything ? hit.object >= Index<V>(0) : one.lit & finish.shiny;
     task.counts->powers += std::uint64_t(count_of(asked));
   }
-  const Terms<V> terms =
-      task.sample_code
-          ? sample_code_terms(light.direction, eye, normal, shininess, light.intensity, powers)
-          : equation_terms(light.direction, eye, normal, shininess, light.intensity, powers, doubt);
-  one.terms = {select(one.lit, terms.diffuse, V(R(0))), select(shiny, terms.specular, V(R(0)))};
+  const V intensity = select(one.lit, one.light.intensity, V(R(0)));
+  V power = R(0);
+  if (shines) power = select(finish.shiny, power_of_cosine(one.h_dot_n, finish.shininess), power);
+  return task.sample_code ? sample_code_terms(one.l_dot_n, power, intensity)
+                          : equation_terms(one.l_dot_n, power, intensity);
+}
+
+/// Where a hit asks for light. A surface that reflects nothing has edges all the same.
+template <Value V, class T>
+Mask<V> wanted_at(const Hit<V>& hit, const Finish<V>& finish, const T& task) {
+  const Mask<V> seen = hit.object >= Index<V>(0);
+  return task.edges ? seen : seen & finish.reflects;
 }
 
 /// D and S of one lamp at a hit seen from the direction `eye`, where anything may be in the way.
@@ -212,8 +239,11 @@ LampTerms<R> lamp_terms(const Plan<R>& plan, const Lamp<R>& lamp, const Hit<R>& 
                         const Vec<R>& eye) {
   const Finish<R> finish = finish_of(plan, hit);
   const Task task = task_of(plan);
-  LampTerms<R> one = reach(plan, lamp, hit, finish.reflects, &kEverything, task);
-  answer(plan, hit, finish, eye, task, one);
+  LampTerms<R> one;
+  reach(plan, lamp, hit, wanted_at(hit, finish, task), task, one);
+  see(plan, hit, &kEverything, task, one);
+  halve(plan, hit, finish, eye, task, one);
+  one.terms = answer<R>(hit, finish, task, one);
   return one;
 }
 
@@ -229,10 +259,10 @@ struct Edges {
     for (int i = 0; i < kLanes<V>; ++i) at_lane(signature, i) = lane(turned, i);
   }
 
-  void add(const LampTerms<V>& one) {
+  void add(const LampLight<V>& one, const Terms<V>& terms) {
     reached = reached | one.reached, lit = lit | one.lit;
     hidden = hidden | (one.reached & !one.lit);
-    highlight = highlight | (one.terms.specular > one.light.intensity * Scalar<V>(0.5));
+    highlight = highlight | (terms.specular > one.light.intensity * Scalar<V>(0.5));
     const Mask<V> inside = one.open & one.light.in_cone;
     for (int i = 0; i < kLanes<V>; ++i) {
       const std::uint64_t bits =
@@ -250,37 +280,48 @@ struct Edges {
   }
 };
 
+/// Room for values that are written before they are read.
+template <class T, std::size_t N>
+union Unset {
+  T all[N];
+  Unset() {}
+};
+
 /// light_terms() of those lamps; with the task's own care, or with `doubt` (see direction_of()).
 template <std::size_t kBatch, Real R, Value V, class T>
 [[gnu::noinline, gnu::flatten]] LightTerms<V> terms_of_lamps(
     const Plan<R>& plan, const Source<R>& source, const Hit<V>& hit, const Finish<V>& finish,
-    const Vec<V>& eye, const Suspects* suspects, const T& task, Doubt<V>* doubt) {
+    const Vec<V>& eye, const Suspects* suspects, const T& task, Mask<V>* doubt) {
   LightTerms<V> total;
   Edges<V> edges;
   if (task.edges) edges.start(shading_normal(plan, hit), hit);
   Total<V> diffuse, specular;
-  Doubt<V> doubtful = false;
-  Doubt<V>* const doubts = T::kDoubts ? &doubtful : nullptr;
+  Doubt<V> doubtful;
+  Doubt<V>* const doubts = T::kBare ? &doubtful : nullptr;
   // Several lamps step by step: the processor works on one while it waits for another.
-  const Mask<V> reflects = finish.reflects;
+  const Mask<V> wanted = wanted_at(hit, finish, task);
   const std::size_t count = source.lamps.size();
-  LampTerms<V> batch[kBatch];
+  if (task.counts) task.counts->lamps += count * std::uint64_t(count_of(hit.object >= Index<V>(0)));
+  Unset<LampLight<V>, kBatch> room;
+  LampLight<V>(&batch)[kBatch] = room.all;
   for (std::size_t first = 0; first < count; first += kBatch) {
     const std::size_t length = std::min(kBatch, count - first);
     for (std::size_t k = 0; k < length; ++k)
-      batch[k] = reach(plan, source.lamps[first + k], hit, reflects, suspects, task, doubts);
-    for (std::size_t k = 0; k < length; ++k) answer(plan, hit, finish, eye, task, batch[k], doubts);
+      reach(plan, source.lamps[first + k], hit, wanted, task, batch[k], doubts);
+    for (std::size_t k = 0; k < length; ++k) see(plan, hit, suspects, task, batch[k]);
+    for (std::size_t k = 0; k < length; ++k) halve(plan, hit, finish, eye, task, batch[k], doubts);
     for (std::size_t k = 0; k < length; ++k) {
+      const Terms<V> terms = answer<R>(hit, finish, task, batch[k]);
       // The sum of one is that one, for which nothing needs to be carried along.
       if (count > 1) {
-        diffuse.add(batch[k].terms.diffuse);
-        specular.add(batch[k].terms.specular);
+        diffuse.add(terms.diffuse);
+        specular.add(terms.specular);
       } else {
-        total.diffuse = widen(batch[k].terms.diffuse);
-        total.specular = widen(batch[k].terms.specular);
+        total.diffuse = widen(terms.diffuse);
+        total.specular = widen(terms.specular);
       }
       if (task.sample_code) total.unoccluded += widen(select(batch[k].lit, V(R(1)), V(R(0))));
-      if (task.edges) edges.add(batch[k]);
+      if (task.edges) edges.add(batch[k], terms);
     }
   }
   if (count > 1) {
@@ -291,7 +332,7 @@ template <std::size_t kBatch, Real R, Value V, class T>
     total.signature = edges.signature;
     for (int i = 0; i < kLanes<V>; ++i) at_lane(total.flags, i) = edges.flags(i);
   }
-  if (T::kDoubts) *doubt = doubtful;
+  if (T::kBare) *doubt = doubtful.where();
   return total;
 }
 
@@ -307,11 +348,11 @@ LightTerms<V> light_terms(const Plan<R>& plan, const Source<R>& source, const Hi
   if (cull) find_suspects(plan, source, hit, hit.object >= Index<V>(0), nearby, found);
   const Suspects* suspects = cull ? &found : &nearby;
   if (suspects->empty()) suspects = nullptr;
-  const auto all_lamps = [&]<std::size_t kBatch>(const auto& asked, Doubt<V>& doubt) {
+  const auto all_lamps = [&]<std::size_t kBatch>(const auto& asked, Mask<V>& doubt) {
     return terms_of_lamps<kBatch>(plan, source, hit, finish, eye, suspects, asked, &doubt);
   };
-  Doubt<V> doubt = false;
-  if constexpr (T::kDoubts) {
+  Mask<V> doubt = false;
+  if constexpr (T::kBare) {
     const LightTerms<V> terms = source.lamps.size() > 1
                                     ? all_lamps.template operator()<8>(task, doubt)
                                     : all_lamps.template operator()<1>(task, doubt);

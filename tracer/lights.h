@@ -10,13 +10,18 @@ namespace litmus {
 
 // ---- Point light, slide 11 -------------------------------------------------------------------
 
+/// 1 / (1 + x) for x >= 0; 1 where x is no number.
+template <Value V>
+V weakened_by(const V& x) {
+  return select(x == x, V(Scalar<V>(1) / (Scalar<V>(1) + x)), V(Scalar<V>(1)));
+}
+
 /// Linear attenuation l = R / (R + L d), slide 11, as 1 / (1 + L x) with x = d / R.
 /// x and L are dimensionless and >= 0. Exactly 1 where L = 0 or x = 0, even if the other is
 /// infinite. At most 4 ulp from quad precision for R, d in 1e-300..1e300 (float: 1e-36..1e36).
 template <Value V>
 V linear_attenuation(const V& x, const V& linear) {
-  const Mask<V> none = (linear == Scalar<V>(0)) | (x == Scalar<V>(0));
-  return select(none, V(Scalar<V>(1)), V(Scalar<V>(1) / (Scalar<V>(1) + linear * x)));
+  return weakened_by(V(linear * x));
 }
 
 /// Quadratic attenuation q = R^2 / (R^2 + Q d^2), slide 11, as 1 / (1 + (Q x) x) with x = d / R:
@@ -24,8 +29,7 @@ V linear_attenuation(const V& x, const V& linear) {
 /// At most 5 ulp from quad precision, in the same domain.
 template <Value V>
 V quadratic_attenuation(const V& x, const V& quadratic) {
-  const Mask<V> none = (quadratic == Scalar<V>(0)) | (x == Scalar<V>(0));
-  return select(none, V(Scalar<V>(1)), V(Scalar<V>(1) / (Scalar<V>(1) + (quadratic * x) * x)));
+  return weakened_by(V((quadratic * x) * x));
 }
 
 // ---- Spot light, slide 16 --------------------------------------------------------------------
@@ -125,7 +129,6 @@ struct Incident {
   V distance{};   ///< scene units, infinite for a directional lamp
   V intensity{};  ///< attenuation times decay, 0 to 1
   Mask<V> in_cone = true;
-  Vec<V> sharp{};  ///< of a lamp with a cone: the direction to the last half unit
 };
 
 /// The cosine of the angle off the axis below which a point is outside of the cone whatever the
@@ -136,20 +139,15 @@ R surely_outside(R cutoff) {
   return R(cos(cutoff)) - 32 * kUnit<R>;
 }
 
-/// Where the lamp is, seen from `point`; nothing weakens it yet. The angle to a spot's axis needs
-/// the last half unit of the direction near the cutoff, where the decay is small. `doubt` as for
-/// direction_of().
+/// Where the lamp is, seen from `point`; nothing weakens it yet. `doubt` as for direction_of().
 template <Value V>
 Incident<V> aim(const Lamp<Scalar<V>>& lamp, const Vec<V>& point, Doubt<V>* doubt = nullptr) {
   using R = Scalar<V>;
-  if (lamp.directional) {
-    return {Vec<V>(lamp.toward), V(std::numeric_limits<R>::infinity()), V(R(1)), true,
-            Vec<V>(lamp.toward)};
+  Incident<V> light{Vec<V>(lamp.toward), V(std::numeric_limits<R>::infinity()), V(R(1)), true};
+  if (!lamp.directional) {
+    const Direction<V> to_lamp = direction_of<Divide::Once>(Vec<V>(lamp.origin) - point, doubt);
+    light.direction = to_lamp.unit, light.distance = to_lamp.length;
   }
-  const Vec<V> apart = Vec<V>(lamp.origin) - point;
-  const Direction<V> to_lamp = direction_of<Divide::Once>(apart, doubt);
-  Incident<V> light{to_lamp.unit, to_lamp.length, V(R(1)), true};
-  if (lamp.cone) light.sharp = direction_of<Divide::Each>(apart, doubt).unit;
   return light;
 }
 
@@ -166,10 +164,17 @@ void attenuate(const Lamp<Scalar<V>>& lamp, Incident<V>& light) {
   light.intensity = light.intensity * (linear * quadratic);
 }
 
-/// Narrows the light to the cone: nothing past the cutoff, a smooth edge before it.
+/// The angle of `point` off the axis of a spot. Near the cutoff, where the decay is small, it needs
+/// the last half unit of the direction.
 template <Value V>
-void narrow(const Lamp<Scalar<V>>& lamp, Incident<V>& light) {
-  const V alpha = angle_between(Vec<V>(lamp.axis), -light.sharp);
+V cone_angle(const Lamp<Scalar<V>>& lamp, const Vec<V>& point) {
+  return angle_between(Vec<V>(lamp.axis), -normalize(Vec<V>(lamp.origin) - point));
+}
+
+/// Narrows the light at `point` to the cone: nothing past the cutoff, a smooth edge before it.
+template <Value V>
+void narrow(const Lamp<Scalar<V>>& lamp, const Vec<V>& point, Incident<V>& light) {
+  const V alpha = cone_angle(lamp, point);
   light.in_cone = alpha <= lamp.cutoff;
   light.intensity = light.intensity * spot_decay(alpha, V(lamp.cutoff), V(lamp.exponent));
 }
@@ -185,7 +190,7 @@ template <Value V>
 Incident<V> incident(const Lamp<Scalar<V>>& lamp, const Vec<V>& point) {
   Incident<V> light = aim(lamp, point);
   if (lamp.attenuated) attenuate(lamp, light);
-  if (lamp.cone) narrow(lamp, light);
+  if (lamp.cone) narrow(lamp, point, light);
   return light;
 }
 

@@ -9,6 +9,7 @@
 #include <immintrin.h>
 #endif
 
+#include <array>
 #include <bit>
 #include <experimental/simd>
 
@@ -178,7 +179,7 @@ LITMUS_INLINE inline Simd<T, N> blend(const PacketMask<T, N>& mask, const Simd<T
 /// The larger (or the smaller) of two; b where one of them is not a number: one instruction.
 template <bool kLarger, class T, int N>
 LITMUS_INLINE inline Simd<T, N> extreme(const Simd<T, N>& a, const Simd<T, N>& b) {
-  constexpr std::size_t kBytes = N * sizeof(T);
+  [[maybe_unused]] constexpr std::size_t kBytes = N * sizeof(T);
 #ifdef __AVX512DQ__
   if constexpr (kBytes == 64 && sizeof(T) == 8) {
     const auto x = std::bit_cast<__m512d>(a), y = std::bit_cast<__m512d>(b);
@@ -221,6 +222,32 @@ LITMUS_INLINE inline Simd<T, N> multiply_add(const Simd<T, N>& a, const Simd<T, 
   } else
 #endif
     return stdx::fma(a, b, c);
+}
+
+/// Writes x, y and z lane by lane: x0 y0 z0 x1 ...
+template <class T, int N>
+LITMUS_INLINE inline void interleave(const Simd<T, N>& x, const Simd<T, N>& y, const Simd<T, N>& z,
+                                     T* to) {
+#ifdef __AVX512DQ__
+  if constexpr (FillsVector<T, N> && N == 8) {
+    const auto a = std::bit_cast<__m512d>(x), b = std::bit_cast<__m512d>(y);
+    const auto c = std::bit_cast<__m512d>(z);
+    // 8 + i takes lane i of the second operand.
+    const auto take = [](const __m512d& one, const __m512d& other, auto... lanes) {
+      const std::array<long long, 8> which{lanes...};
+      return _mm512_permutex2var_pd(one, std::bit_cast<__m512i>(which), other);
+    };
+    const __m512d low = take(take(a, b, 0, 8, 0, 1, 9, 0, 2, 10), c, 0, 1, 8, 3, 4, 9, 6, 7);
+    const __m512d middle = take(take(a, b, 0, 3, 11, 0, 4, 12, 0, 5), c, 10, 1, 2, 11, 4, 5, 12, 7);
+    const __m512d high = take(take(a, b, 13, 0, 6, 14, 0, 7, 15, 0), c, 0, 13, 2, 3, 14, 5, 6, 15);
+    _mm512_storeu_pd(to, low), _mm512_storeu_pd(to + 8, middle), _mm512_storeu_pd(to + 16, high);
+    return;
+  }
+#endif
+  for (int i = 0; i < N; ++i) {
+    to[3 * i] = x[std::size_t(i)], to[3 * i + 1] = y[std::size_t(i)],
+           to[3 * i + 2] = z[std::size_t(i)];
+  }
 }
 
 template <class T, int N>
@@ -298,6 +325,10 @@ struct Packet {
   LITMUS_INLINE friend void set_lane(Packet& a, int i, T value) { a.lanes[std::size_t(i)] = value; }
   LITMUS_INLINE friend void copy_lanes(const Packet& a, T* to) {
     a.lanes.copy_to(to, stdx::element_aligned);
+  }
+  LITMUS_INLINE friend void copy_interleaved(const Packet& x, const Packet& y, const Packet& z,
+                                             T* to) {
+    interleave<T, N>(x.lanes, y.lanes, z.lanes, to);
   }
   /// A float's lanes as doubles, a double's as they are.
   LITMUS_INLINE friend Packet<double, N> widen(const Packet& a) {

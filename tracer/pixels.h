@@ -84,17 +84,23 @@ void look(const Plan<R>& plan, const R& x, const R& y, const Visit& visit) {
 template <Value S>
 void store(const Vec<S>& color, Picture& picture, int x, int y) {
   using R = Scalar<S>;
-  R red[kLanes<S>], green[kLanes<S>], blue[kLanes<S>];
-  copy_lanes(color.x, red), copy_lanes(color.y, green), copy_lanes(color.z, blue);
   glm::dvec3* const pixels = &picture.at(x, y);
+  if constexpr (std::is_same_v<R, double>) {
+    if (x + kLanes<S> <= picture.width) {
+      copy_interleaved(color.x, color.y, color.z, &pixels->x);
+      return;
+    }
+  }
+  R lanes[3 * kLanes<S>];
+  copy_interleaved(color.x, color.y, color.z, lanes);
   for (int i = 0; i < kLanes<S> && x + i < picture.width; ++i) {
-    pixels[i] = {double(red[i]), double(green[i]), double(blue[i])};
+    pixels[i] = {double(lanes[3 * i]), double(lanes[3 * i + 1]), double(lanes[3 * i + 2])};
   }
 }
 
 /// Values side by side in a row, whose lights share one look at what may be in their way.
 template <Value V>
-inline constexpr int kStretch = kLanes<V> == 1 ? 32 : 8;
+inline constexpr int kStretch = kLanes<V> == 1 ? 32 : 4;
 
 /// What the loop over a row needs.
 template <Value V>

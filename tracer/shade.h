@@ -121,15 +121,13 @@ V power_of(const Rounded<V>& x, const Exponent<V>& n) {
   return general();
 }
 
-/// (h.n)^ns of two unit vectors with h.n > 0, never above 1. h.n is 1 - |n - h|^2 / 2, whose digits
-/// last near the peak, where h.n itself has lost them; it is a compensated product where a broad
-/// highlight is seen more than 60 degrees off its peak, where the difference has lost them. (With
-/// ns from 3 on, nothing above 1/8 is so far off.) The power is made of multiplications for a whole
-/// ns up to kMostWhole, else by logarithm and exponential. At most 12 ulp from quad precision where
-/// it is above 1/7, for ns up to 1e6; up to 29 ulp where it is above 1/64.
+/// h.n of two unit vectors, known to twice its digits where the power asks for them. h.n is
+/// 1 - |n - h|^2 / 2, whose digits last near the peak, where h.n itself has lost them; it is a
+/// compensated product where a broad highlight is seen more than 60 degrees off its peak, where the
+/// difference has lost them. (With ns from 3 on, nothing above 1/8 is so far off.)
 template <Value V>
-V power_of_cosine(const Vec<V>& h, const Vec<V>& n,
-                  const std::type_identity_t<Exponent<V>>& shininess) {
+Rounded<V> cosine_of(const Vec<V>& h, const Vec<V>& n,
+                     const std::type_identity_t<Exponent<V>>& shininess) {
   using R = Scalar<V>;
   const Vec<V> apart = n - h;
   const V shortfall = dot(apart, apart) * R(0.5);
@@ -139,35 +137,61 @@ V power_of_cosine(const Vec<V>& h, const Vec<V>& n,
     const Rounded<V> exact = compensated_dot(h, n);
     cosine = select(far, exact.value, cosine), rest = select(far, exact.rest, rest);
   }
-  const Mask<V> ahead = cosine >= std::numeric_limits<R>::min();
-  const V power = power_of<V>({cosine, rest}, shininess);
+  return {cosine, rest};
+}
+
+/// (h.n)^ns, never above 1; 0 where h.n <= 0. The power is made of multiplications for a whole ns
+/// up to kMostWhole, else by logarithm and exponential. With cosine_of() at most 12 ulp from quad
+/// precision where it is above 1/7, for ns up to 1e6; up to 29 ulp where it is above 1/64.
+template <Value V>
+V power_of_cosine(const Rounded<V>& cosine, const std::type_identity_t<Exponent<V>>& shininess) {
+  using R = Scalar<V>;
+  const Mask<V> ahead = cosine.value >= std::numeric_limits<R>::min();
+  const V power = power_of(cosine, shininess);
   return select(ahead, power, V(R(0)));
 }
 
-/// (h.n)^ns, slide 5; 0 where h.n <= 0 and for e = -l. All vectors are unit. `doubt` as for
-/// direction_of().
 template <Value V>
-V specular_power(const Vec<V>& l, const Vec<V>& e, const Vec<V>& n,
-                 const std::type_identity_t<Exponent<V>>& shininess, Doubt<V>* doubt = nullptr) {
-  using R = Scalar<V>;
-  const Vec<V> h = half_vector(l, e, doubt).unit;
-  return select(dot(h, n) > R(0), power_of_cosine(h, n, shininess), V(R(0)));
+V power_of_cosine(const Vec<V>& h, const Vec<V>& n,
+                  const std::type_identity_t<Exponent<V>>& shininess) {
+  return power_of_cosine(cosine_of(h, n, shininess), shininess);
 }
 
-/// The equation's gate: a light behind the surface adds nothing, specular included.
+/// h.n of slide 5 as cosine_of() gives it; 0 for e = -l. All vectors are unit. `doubt` as for
+/// direction_of(): it knows of e = -l.
 template <Value V>
-Terms<V> equation_terms(const Vec<V>& l, const Vec<V>& e, const Vec<V>& n,
-                        const std::type_identity_t<Exponent<V>>& shininess, const V& intensity,
-                        bool wants_specular, Doubt<V>* doubt = nullptr) {
+Rounded<V> highlight_cosine(const Vec<V>& l, const Vec<V>& e, const Vec<V>& n,
+                            const std::type_identity_t<Exponent<V>>& shininess,
+                            Doubt<V>* doubt = nullptr) {
   using R = Scalar<V>;
-  const V cosine = dot(l, n), none = R(0);
-  const Mask<V> faces = cosine > R(0);
-  Terms<V> terms{select(faces, V(intensity * cosine), none), none};
-  if (wants_specular) {
-    const V power = specular_power(l, e, n, shininess, doubt);
-    terms.specular = select(faces, V(intensity * power), none);
-  }
-  return terms;
+  const Direction<V> h = half_vector(l, e, doubt);
+  Rounded<V> cosine = cosine_of(h.unit, n, shininess);
+  if (!doubt) cosine.value = select(h.length > R(0), cosine.value, V(R(0)));
+  return cosine;
+}
+
+/// (h.n)^ns, slide 5; 0 where h.n <= 0 and for e = -l. All vectors are unit.
+template <Value V>
+V specular_power(const Vec<V>& l, const Vec<V>& e, const Vec<V>& n,
+                 const std::type_identity_t<Exponent<V>>& shininess) {
+  return power_of_cosine(highlight_cosine(l, e, n, shininess), shininess);
+}
+
+/// The equation's gate: a light behind the surface adds nothing, specular included. `l_dot_n` is
+/// the light's cosine, `power` that of the highlight.
+template <Value V>
+Terms<V> equation_terms(const V& l_dot_n, const V& power, const V& intensity) {
+  const V none = Scalar<V>(0);
+  const Mask<V> faces = l_dot_n > none;
+  return {select(faces, V(intensity * l_dot_n), none), select(faces, V(intensity * power), none)};
+}
+
+/// The sample code's reading: the specular term is not gated on n.l. (n.h is clamped at 0 so that
+/// it is finite.)
+template <Value V>
+Terms<V> sample_code_terms(const V& l_dot_n, const V& power, const V& intensity) {
+  const V none = Scalar<V>(0);
+  return {select(l_dot_n > none, V(intensity * l_dot_n), none), intensity * power};
 }
 
 /// The same without the gate, as smooth functions of l: D goes on below 0 where l.n does.
@@ -177,18 +201,6 @@ Terms<V> ungated_terms(const Vec<V>& l, const Vec<V>& e, const Vec<V>& n,
                        bool wants_specular) {
   return {intensity * dot(l, n),
           wants_specular ? V(intensity * specular_power(l, e, n, shininess)) : V(Scalar<V>(0))};
-}
-
-/// The sample code's reading: the specular term is not gated on n.l. (n.h is clamped at 0 so that
-/// it is finite.)
-template <Value V>
-Terms<V> sample_code_terms(const Vec<V>& l, const Vec<V>& e, const Vec<V>& n,
-                           const std::type_identity_t<Exponent<V>>& shininess, const V& intensity,
-                           bool wants_specular) {
-  using R = Scalar<V>;
-  const V cosine = dot(l, n), none = R(0);
-  return {select(cosine > R(0), V(intensity * cosine), none),
-          wants_specular ? V(intensity * specular_power(l, e, n, shininess)) : none};
 }
 
 /// One channel of a matte surface's answer to one light: kd Id D, slide 5.

@@ -5,6 +5,7 @@
 // every lane of a packet gets the same bits as a scalar would.
 #pragma once
 
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -105,6 +106,12 @@ void copy_lanes(const R& value, R* lanes) {
   *lanes = value;
 }
 
+/// All lanes of three values: x, y and z of the first, of the second and so on.
+template <Real R>
+void copy_interleaved(const R& x, const R& y, const R& z, R* lanes) {
+  lanes[0] = x, lanes[1] = y, lanes[2] = z;
+}
+
 /// As many scalars, one after the other, as the value has lanes.
 template <Value V>
 V load_lanes(const Scalar<V>* scalars) {
@@ -115,6 +122,24 @@ V load_lanes(const Scalar<V>* scalars) {
 template <Real R>
 Sum<R> widen(const R& value) {
   return Sum<R>(value);
+}
+
+// ---- Bits ------------------------------------------------------------------------------------
+
+/// Whether vector_math.h computes for R, rather than R's own library.
+template <Real R>
+inline constexpr bool kOwnMath = std::is_same_v<R, float> || std::is_same_v<R, double>;
+
+inline std::uint32_t bits_of(float value) { return std::bit_cast<std::uint32_t>(value); }
+inline std::uint64_t bits_of(double value) { return std::bit_cast<std::uint64_t>(value); }
+
+template <Value V>
+V from_bits(const Bits<V>& bits) {
+  if constexpr (kLanes<V> == 1) {
+    return std::bit_cast<V>(bits);
+  } else {
+    return V::from_bits(bits);
+  }
 }
 
 // ---- Rounding --------------------------------------------------------------------------------
@@ -247,9 +272,28 @@ LITMUS_COLD Direction<V> scaled_direction_of(Vec<V> v) {
           select(sound, V(length / scale), V(R(0)))};
 }
 
-/// Where a square may have over- or underflown, so that a result must be found with more care.
+/// Notes squares that may have over- or underflown, so that a result must be found with more care.
 template <Value V>
-using Doubt = Mask<V>;
+class Doubt {
+ public:
+  void note(const V& squared) {
+    if constexpr (kOwnMath<R>) sure_ = sure_ & (bits_of(squared) + Bits<V>(kStep));
+  }
+
+  /// Where one of the squares was not between about 2^-512 and 2^512 (float: 2^-64 and 2^64).
+  Mask<V> where() const {
+    if constexpr (kOwnMath<R>) return from_bits<V>(sure_ & Bits<V>(kStep << 1)) == R(0);
+    return true;
+  }
+
+ private:
+  using R = Scalar<V>;
+  using B = Scalar<Bits<V>>;
+  /// Half of the highest bit of the exponent: added to the bits of a number, it leaves that bit set
+  /// just where the two highest were different, which they are in the middle half of all exponents.
+  static constexpr B kStep = B(1) << (8 * sizeof(B) - 3);
+  Bits<V> sure_ = Bits<V>(B(-1));
+};
 
 /// Splits a vector into its direction and its length, both to a few ulp for any finite vector.
 /// With `doubt`, only for vectors whose square neither over- nor underflows; it notes the others.
@@ -258,16 +302,18 @@ Direction<V> direction_of(const Vec<V>& v, Doubt<V>* doubt = nullptr) {
   using std::sqrt;
   using R = Scalar<V>;
   const V squared = dot(v, v);
-  const Mask<V> safe = (squared > SafeSquares<R>::kSmall) & (squared < SafeSquares<R>::kLarge);
-  const V length = sqrt(squared);
-  const Direction<V> plain{divide<kDivide>(v, length), length};
+  V length = sqrt(squared);
+  Vec<V> unit = divide<kDivide>(v, length);
   if (doubt) {
-    *doubt = *doubt | !safe;
-    return plain;
+    doubt->note(squared);
+    return {unit, length};
   }
-  if (all_of(safe)) return plain;
-  const Direction<V> careful = scaled_direction_of<kDivide>(v);
-  return {select(safe, plain.unit, careful.unit), select(safe, plain.length, careful.length)};
+  const Mask<V> safe = (squared > SafeSquares<R>::kSmall) & (squared < SafeSquares<R>::kLarge);
+  if (!all_of(safe)) {
+    const Direction<V> careful = scaled_direction_of<kDivide>(v);
+    unit = select(safe, unit, careful.unit), length = select(safe, length, careful.length);
+  }
+  return {unit, length};
 }
 
 template <Divide kDivide = Divide::Each, Value V>

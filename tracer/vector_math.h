@@ -6,30 +6,11 @@
 // interpolation in 50 digits, whose error is below 0.1 ulp. The bounds are tested against Quad.
 #pragma once
 
-#include <bit>
 #include <numbers>
 
 #include "tracer/value.h"
 
 namespace litmus {
-
-/// Whether this file computes for R, rather than R's own library.
-template <Real R>
-inline constexpr bool kOwnMath = std::is_same_v<R, float> || std::is_same_v<R, double>;
-
-// ---- Bits ------------------------------------------------------------------------------------
-
-inline std::uint32_t bits_of(float value) { return std::bit_cast<std::uint32_t>(value); }
-inline std::uint64_t bits_of(double value) { return std::bit_cast<std::uint64_t>(value); }
-
-template <Value V>
-V from_bits(const Bits<V>& bits) {
-  if constexpr (kLanes<V> == 1) {
-    return std::bit_cast<V>(bits);
-  } else {
-    return V::from_bits(bits);
-  }
-}
 
 /// The constants of float and double.
 template <Real R>

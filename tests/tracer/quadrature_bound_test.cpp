@@ -142,8 +142,9 @@ TEST(LargestTerms, AreNotExceededOnThePiece) {
         Lamp<double> lamp = piece.patch.lamp;
         lamp.origin = lamp.origin + u * piece.across + v * piece.up;
         const Incident<double> light = incident(lamp, V3{});
-        const Terms<double> terms = equation_terms(light.direction, piece.patch.e, piece.patch.n,
-                                                   piece.patch.shininess, light.intensity, true);
+        const V3 &l = light.direction, &e = piece.patch.e, &n = piece.patch.n;
+        const double power = specular_power(l, e, n, piece.patch.shininess);
+        const Terms<double> terms = equation_terms(dot(l, n), power, light.intensity);
         EXPECT_LE(terms.diffuse, most.diffuse + 1e-14);
         EXPECT_LE(terms.specular, most.specular + 1e-14);
       }

@@ -68,13 +68,15 @@ TEST(SpecularPower, KeepsItsDigitsFarFromABroadPeak) {
 }
 
 TEST(EquationTerms, AreNothingForALightBehindTheSurface) {
-  const auto terms = equation_terms(tilted(1.6), tilted(-1.0), kUp, 10.0, 1.0, true);
+  const V l = tilted(1.6), e = tilted(-1.0);
+  const auto terms = equation_terms(dot(l, kUp), specular_power(l, e, kUp, 10.0), 1.0);
   EXPECT_EQ(terms.diffuse, 0.0);
   EXPECT_EQ(terms.specular, 0.0);
 }
 
 TEST(SampleCodeTerms, KeepTheHighlightOfALightBehindTheSurface) {
-  const auto terms = sample_code_terms(tilted(1.6), tilted(-1.0), kUp, 10.0, 1.0, true);
+  const V l = tilted(1.6), e = tilted(-1.0);
+  const auto terms = sample_code_terms(dot(l, kUp), specular_power(l, e, kUp, 10.0), 1.0);
   EXPECT_EQ(terms.diffuse, 0.0);
   EXPECT_NEAR(terms.specular, std::pow(std::cos(0.3), 10), 1e-14);
 }

@@ -33,6 +33,32 @@ TEST(Direction, OfAZeroVectorIsZero) {
   EXPECT_EQ(d.unit, (Vec<double>{}));
 }
 
+TEST(Doubt, KnowsOfEverySquareThatOverOrUnderflows) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  for (const double square : {0.0, 5e-324, 0x1p-1022, 0x1p-600, 0x1p600, kInfinity, std::nan("")}) {
+    Doubt<double> doubt;
+    doubt.note(1.0), doubt.note(square), doubt.note(2.0);
+    EXPECT_TRUE(doubt.where()) << square;
+  }
+  for (const double square : {0x1p-511, 1e-100, 0.99, 1.0, 3.0, 1e100, 0x1p512}) {
+    Doubt<double> doubt;
+    doubt.note(square);
+    EXPECT_FALSE(doubt.where()) << square;
+  }
+}
+
+TEST(Doubt, LeavesNoVectorWhosePlainDirectionDiffers) {
+  for (int k = -1000; k <= 1000; ++k) {
+    const Vec<double> v{std::ldexp(0.3, k), std::ldexp(-0.7, k), std::ldexp(0.11, k)};
+    Doubt<double> doubt;
+    const Direction<double> plain = direction_of(v, &doubt), careful = direction_of(v);
+    EXPECT_EQ(doubt.where(), k < -255 || k > 256) << "2^" << k;
+    if (!doubt.where()) {
+      EXPECT_EQ(plain.unit, careful.unit) << "2^" << k;
+    }
+  }
+}
+
 TEST(DifferenceOfProducts, KeepsTheDigitsThatPlainArithmeticCancels) {
   const double a = 1 + 0x1p-30, b = 1 - 0x1p-30;
   EXPECT_EQ(a * b - 1.0 * 1.0, 0.0);  // the control: 1 - 2^-60 rounds to 1

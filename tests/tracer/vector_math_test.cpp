@@ -6,7 +6,7 @@
 #include <random>
 
 #include "tests/tracer/ulp.h"
-#include "tracer/packet.h"
+#include "tracer/twin.h"
 
 namespace litmus {
 namespace {
@@ -145,10 +145,10 @@ TYPED_TEST(VectorMath, ArcTangentKnowsItsCorners) {
   EXPECT_EQ(atan2_of(R(2), R(2)), std::numbers::pi_v<R> / 4);
 }
 
-/// Whether a packet of the numbers draw(0..1) has the bits of the scalars.
-template <class R, class Draw, class Function>
-void expect_same_bits(Draw draw, Function function) {
-  using P = NativePacket<R>;
+/// Whether a packet P of the numbers draw(0..1) has the bits of the scalars.
+template <class P, class Draw, class Function>
+void expect_same_bits_in(Draw draw, Function function) {
+  using R = Scalar<P>;
   std::mt19937_64 random(9);
   std::uniform_real_distribution<double> uniform(0, 1);
   for (int i = 0; i < kSamples; i += kLanes<P>) {
@@ -159,6 +159,12 @@ void expect_same_bits(Draw draw, Function function) {
       ASSERT_EQ(bits_of(lane(y, k)), bits_of(function(lane(x, k)))) << lane(x, k);
     }
   }
+}
+
+template <class R, class Draw, class Function>
+void expect_same_bits(Draw draw, Function function) {
+  expect_same_bits_in<NativePacket<R>>(draw, function);
+  expect_same_bits_in<Twin<NativePacket<R>>>(draw, function);
 }
 
 TYPED_TEST(VectorMath, OfAPacketHasTheBitsOfTheScalars) {
