@@ -2,6 +2,7 @@
 #include "reports/mesh_rays.h"
 
 #include "tracer/camera.h"
+#include "tracer/closest.h"
 #include "tracer/visibility.h"
 
 namespace litmus {

@@ -5,6 +5,7 @@
 #include "stress/leaks_contracted.h"
 #include "stress/sweep.h"
 #include "stress/ulp.h"
+#include "tracer/closest.h"
 #include "tracer/visibility.h"
 
 namespace litmus {

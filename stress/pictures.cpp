@@ -12,6 +12,7 @@
 #include "stress/naive.h"
 #include "stress/ulp.h"
 #include "tracer/camera.h"
+#include "tracer/closest.h"
 #include "tracer/render.h"
 #include "tracer/visibility.h"
 

@@ -9,6 +9,7 @@
 #include "stress/random.h"
 #include "stress/sweep.h"
 #include "stress/ulp.h"
+#include "tracer/closest.h"
 #include "tracer/visibility.h"
 
 namespace litmus {

@@ -75,8 +75,7 @@ struct Integrator {
 
   LightPatch patch_of(const Piece& piece) const {
     const Direction<double> to = direction_of(from.at(piece.u, piece.v));
-    const Direction<double> across = direction_of(from.panel.across),
-                            up = direction_of(from.panel.up);
+    const Direction<double>&across = from.panel.across_side, &up = from.panel.up_side;
     return {from.panel.lamp,
             to.length,
             piece.half * across.length / to.length,
@@ -153,14 +152,13 @@ struct Integrator {
                  bool last) {
     const bool whole = side == Facing::Yes && first == obstacles.size();
     const LightPatch patch = patch_of(piece);
-    const auto bounds = quadrature_bounds(patch, whole ? Region::Whole : Region::Part);
-    Moments moments{points_for(bounds)};
-    const Terms<double>& bound = bounds[std::size_t(moments.points - 1)];
+    const auto [largest, errors] = quadrature_bounds(patch, whole ? Region::Whole : Region::Part);
+    Moments moments{points_for(errors)};
+    const Terms<double>& bound = errors[std::size_t(moments.points - 1)];
     if (!last && weighed(bound) > fineness.tolerance) return false;
     const auto undecided = std::span<const Obstacle>(obstacles).subspan(first);
     const std::optional<Cover> cover =
         from.cover(shaft, undecided, last ? kMostCuts : kFewEdges, fineness.widest_side);
-    const Terms<double> largest = largest_terms(patch);
     if (!cover) return last && (estimate(piece, largest), true);
     if (!last && cover->uncertain * weighed(largest) > fineness.outline_tolerance) return false;
 
@@ -231,9 +229,10 @@ struct Integrator {
     const Piece whole;
     const Shaft shaft = from.shaft(whole);
     if (from.facing(shaft) == Facing::No) return;
-    obstacles = from.obstacles(shaft);
+    const bool meshes = from.near_triangles(shaft);
+    obstacles = from.obstacles(shaft, meshes);
     mesh_ends = !obstacles.empty() && obstacles.back().kind == Kind::Triangle;
-    if (!mesh_ends && from.near_triangles(shaft)) {
+    if (!mesh_ends && meshes) {
       // All of the rectangle is behind triangles, or nothing of it.
       ++result.rays;
       hidden = from.triangles_block(0, 0);

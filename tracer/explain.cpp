@@ -9,6 +9,7 @@
 
 #include "scene/refusal.h"
 #include "tracer/camera.h"
+#include "tracer/closest.h"
 #include "tracer/light_terms.h"
 
 namespace litmus {

@@ -16,6 +16,14 @@ struct Ray {
   V limit = std::numeric_limits<Scalar<V>>::infinity();
 };
 
+/// One lane of a ray.
+template <Value V>
+Ray<Scalar<V>> lane(const Ray<V>& ray, int i) {
+  return {{lane(ray.origin.x, i), lane(ray.origin.y, i), lane(ray.origin.z, i)},
+          {lane(ray.direction.x, i), lane(ray.direction.y, i), lane(ray.direction.z, i)},
+          lane(ray.limit, i)};
+}
+
 template <Real R>
 struct SphereSurface {
   Vec<R> center;

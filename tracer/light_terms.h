@@ -65,9 +65,9 @@ Finish<V> finish_of(const Plan<R>& plan, const Hit<V>& hit) {
       return {Vec<V>(one.ambient),        Vec<V>(one.diffuse), Vec<V>(one.specular),
               Exponent<V>(one.shininess), one.shiny,           one.reflects};
     };
-    if (hit.one.kind != Kind::None) return of_all(plan.finishes[std::size_t(hit.one.object)]);
+    if (!hit.mixed) return of_all(plan.finishes[std::size_t(std::max(hit.one.object, 0))]);
     Finish<V> all;
-    const Mask<V> seen = hit.object >= Index<V>(0);
+    const Mask<V> seen = seen_by(hit);
     // Lanes that see nothing take a shininess that is there: powers of one exponent are cheaper.
     V shininess = R(0);
     if (any_of(seen)) {
@@ -187,7 +187,7 @@ void see(const Plan<R>& plan, const Hit<V>& hit, const Suspects* suspects, const
          LampLight<V>& one) {
   one.lit = one.reached;
   if (!plan.shadows && !plan.idle_shadows) return;
-  const Mask<V> asked = task.everything ? hit.object >= Index<V>(0) : one.reached;
+  const Mask<V> asked = task.everything ? seen_by(hit) : one.reached;
   if (none_of(asked)) return;
   if (task.counts) task.counts->shadow_rays += std::uint64_t(count_of(asked));
   if (!suspects) return;
@@ -216,7 +216,7 @@ Terms<V> answer(const Hit<V>& hit, const Finish<V>& finish, const T& task,
                 const LampLight<V>& one) {
   const bool shines = may_shine<R>(finish, task, one);
   if (task.counts && shines) {
-    const Mask<V> asked = task.everything ? hit.object >= Index<V>(0) : one.lit & finish.shiny;
+    const Mask<V> asked = task.everything ? seen_by(hit) : one.lit & finish.shiny;
     task.counts->powers += std::uint64_t(count_of(asked));
   }
   const V intensity = select(one.lit, one.light.intensity, V(R(0)));
@@ -229,7 +229,7 @@ Terms<V> answer(const Hit<V>& hit, const Finish<V>& finish, const T& task,
 /// Where a hit asks for light. A surface that reflects nothing has edges all the same.
 template <Value V, class T>
 Mask<V> wanted_at(const Hit<V>& hit, const Finish<V>& finish, const T& task) {
-  const Mask<V> seen = hit.object >= Index<V>(0);
+  const Mask<V> seen = seen_by(hit);
   return task.edges ? seen : seen & finish.reflects;
 }
 
@@ -301,7 +301,7 @@ template <std::size_t kBatch, Real R, Value V, class T>
   // Several lamps step by step: the processor works on one while it waits for another.
   const Mask<V> wanted = wanted_at(hit, finish, task);
   const std::size_t count = source.lamps.size();
-  if (task.counts) task.counts->lamps += count * std::uint64_t(count_of(hit.object >= Index<V>(0)));
+  if (task.counts) task.counts->lamps += count * std::uint64_t(count_of(seen_by(hit)));
   Unset<LampLight<V>, kBatch> room;
   LampLight<V>(&batch)[kBatch] = room.all;
   for (std::size_t first = 0; first < count; first += kBatch) {
@@ -345,7 +345,7 @@ LightTerms<V> light_terms(const Plan<R>& plan, const Source<R>& source, const Hi
   // One look at all that may be in the way pays off for several lamps.
   const bool cull = plan.shadows && !task.everything && source.lamps.size() > 3;
   Suspects found;
-  if (cull) find_suspects(plan, source, hit, hit.object >= Index<V>(0), nearby, found);
+  if (cull) find_suspects(plan, source, hit, seen_by(hit), nearby, found);
   const Suspects* suspects = cull ? &found : &nearby;
   if (suspects->empty()) suspects = nullptr;
   const auto all_lamps = [&]<std::size_t kBatch>(const auto& asked, Mask<V>& doubt) {
@@ -356,7 +356,7 @@ LightTerms<V> light_terms(const Plan<R>& plan, const Source<R>& source, const Hi
     const LightTerms<V> terms = source.lamps.size() > 1
                                     ? all_lamps.template operator()<8>(task, doubt)
                                     : all_lamps.template operator()<1>(task, doubt);
-    if (none_of(doubt & (hit.object >= Index<V>(0)))) return terms;
+    if (none_of(doubt & seen_by(hit))) return terms;
     return all_lamps.template operator()<1>(task_of(plan), doubt);
   } else {
     return all_lamps.template operator()<1>(task, doubt);

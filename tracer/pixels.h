@@ -4,9 +4,9 @@
 #include <glm/vec3.hpp>
 
 #include "tracer/camera.h"
+#include "tracer/closest.h"
 #include "tracer/light_terms.h"
 #include "tracer/render.h"
-#include "tracer/spans.h"
 
 namespace litmus {
 
@@ -44,9 +44,9 @@ void show(const Plan<R>& plan, const Shot<V>& shot, const Suspects* suspects, co
   Seen<V> seen;
   PerLane<std::uint64_t, V> numbers{};
   for (int i = 0; i < kLanes<V> && task.edges; ++i)
-    at_lane(numbers, i) = std::uint64_t(lane(hit.object, i) + 1);
+    at_lane(numbers, i) = std::uint64_t(surface_at(hit, i).object + 1);
   if (task.edges) seen.signature = numbers;
-  if (hit.one.kind == Kind::None && none_of(hit.object >= Index<V>(0))) {
+  if (none_of(seen_by(hit))) {
     for (std::size_t k = 0; k <= plan.sources.size() && task.edges; ++k) visit(k, seen);
     return;
   }
@@ -62,7 +62,7 @@ void show(const Plan<R>& plan, const Shot<V>& shot, const Suspects* suspects, co
       for (int i = 0; i < kLanes<V>; ++i) {
         const std::uint64_t number = at_lane(numbers, i);
         at_lane(seen.signature, i) =
-            lane(hit.object, i) >= 0 ? mix(number, at_lane(terms.signature, i)) : number;
+            surface_at(hit, i).object >= 0 ? mix(number, at_lane(terms.signature, i)) : number;
       }
     }
     visit(k + 1, seen);
@@ -162,8 +162,8 @@ void render_stretch(const Plan<R>& plan, const RenderOptions& options, const T& 
           find_closest(plan, ray, row.spans[std::size_t(j)], across, shot.hit);
         }
         if (const Mask<V> inside = column < R(view.width); !all_of(inside)) {
+          mix_lanes(shot.hit);
           shot.hit.object = select(inside, shot.hit.object, Index<V>(-1));
-          shot.hit.one = {};
         }
         if (plan.specular) shot.eye = -normalize<Divide::Once>(ray.direction);
       }

@@ -87,15 +87,11 @@ Terms<double> largest_within(const LightPatch& patch, const Reach& reach) {
 
 }  // namespace
 
-Terms<double> largest_terms(const LightPatch& patch) {
-  return largest_within(patch, reach_of(patch));
-}
-
-std::array<Terms<double>, kMostPoints> quadrature_bounds(const LightPatch& patch, Region region) {
+QuadratureBounds quadrature_bounds(const LightPatch& patch, Region region) {
   const Reach reach = reach_of(patch);
+  QuadratureBounds best{largest_within(patch, reach), {}};
   // Both the value and its estimate lie between 0 and the largest term.
-  std::array<Terms<double>, kMostPoints> best;
-  best.fill(largest_within(patch, reach));
+  best.error.fill(best.largest);
   if (!(reach.nearest > 0)) return best;
   const double side = std::max(patch.across, patch.up) / reach.nearest;
   for (const double delta : {0.5, 0.3, 0.15, 0.06, 0.02}) {
@@ -111,7 +107,7 @@ std::array<Terms<double>, kMostPoints> quadrature_bounds(const LightPatch& patch
       const double factor = region == Region::Whole
                                 ? nodes.whole * power * power / (1 - shrink * shrink)
                                 : 2 * power * spread * (nodes.first + spread * outside);
-      Terms<double>& bound = best[std::size_t(points - 1)];
+      Terms<double>& bound = best.error[std::size_t(points - 1)];
       bound.diffuse = std::min(bound.diffuse, factor * most.diffuse);
       if (patch.shiny) bound.specular = std::min(bound.specular, factor * most.specular);
     }

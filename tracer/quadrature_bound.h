@@ -20,11 +20,15 @@ struct LightPatch {
   bool shiny;
 };
 
-/// Upper bounds of the terms D and S (shade.h) anywhere on the piece. Nothing is in the way.
-Terms<double> largest_terms(const LightPatch& patch);
-
 /// What is integrated over: a whole piece, or any region of it.
 enum class Region { Whole, Part };
+
+/// Upper bounds of the terms D and S (shade.h) anywhere on the piece, with nothing in the way, and of
+/// their errors for 1, 2, ... points.
+struct QuadratureBounds {
+  Terms<double> largest;
+  std::array<Terms<double>, kMostPoints> error;
+};
 
 /// Bounds on the error of points x points nodes of Gauss-Legendre quadrature of D and S over a piece
 /// on which no cosine changes its sign, or of node_weights() (region.h) over a region of it, times
@@ -51,6 +55,6 @@ enum class Region { Whole, Part };
 ///     |S| <= attenuation(d (1 - eta)) |h'.n|^ns,
 /// all of it analytic while q < 1, 2 lambda < L^2 and t + epsilon < sqrt(2). Several delta are tried.
 /// Rounding is not counted.
-std::array<Terms<double>, kMostPoints> quadrature_bounds(const LightPatch& patch, Region region);
+QuadratureBounds quadrature_bounds(const LightPatch& patch, Region region);
 
 }  // namespace litmus

@@ -11,6 +11,7 @@
 #include "tracer/area_sampling.h"
 #include "tracer/camera.h"
 #include "tracer/certified.h"
+#include "tracer/closest.h"
 #include "tracer/light_terms.h"
 
 namespace litmus {

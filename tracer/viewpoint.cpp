@@ -70,7 +70,7 @@ Polygon Viewpoint::above_horizon(const Shaft& shaft, Facing side) const {
   return part;
 }
 
-std::vector<Obstacle> Viewpoint::obstacles(const Shaft& whole) const {
+std::vector<Obstacle> Viewpoint::obstacles(const Shaft& whole, bool meshes) const {
   std::vector<Obstacle> all;
   if (!plan.shadows) return all;
   const bool own_counts = inside_own_surface(*this);
@@ -81,7 +81,7 @@ std::vector<Obstacle> Viewpoint::obstacles(const Shaft& whole) const {
   add(Kind::Sphere, plan.spheres.size());
   add(Kind::Box, plan.boxes.size());
   add(Kind::Plane, plan.planes.size());
-  if (!near_triangles(whole)) return all;
+  if (!meshes) return all;
   thread_local std::vector<std::uint32_t> edges;
   edges.clear();
   find_shadow_ends(occluders.edges, hit.point, whole, edges);

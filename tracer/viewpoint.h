@@ -14,9 +14,10 @@ namespace litmus {
 
 /// An area light as the rectangle that its samples stand for.
 struct Panel {
-  Lamp<double> lamp;             ///< any sample: its origin is moved
-  Vec<double> center;            ///< scene units
-  Vec<double> across, up;        ///< half the sides, along `right` and `up` (slide 20)
+  Lamp<double> lamp;       ///< any sample: its origin is moved
+  Vec<double> center;      ///< scene units
+  Vec<double> across, up;  ///< half the sides, along `right` and `up` (slide 20)
+  Direction<double> across_side = direction_of(across), up_side = direction_of(up);
   bool meets_triangles = false;  ///< some triangle may pass through the rectangle
 };
 
@@ -69,14 +70,15 @@ struct Viewpoint {
   /// The part of the shaft's base above the horizon.
   Polygon above_horizon(const Shaft& shaft, Facing side) const;
 
-  /// Every object but the surface itself, where it is flat or seen from outside, and the edges of
-  /// meshes before the whole rectangle.
-  std::vector<Obstacle> obstacles(const Shaft& whole) const;
+  /// Every object but the surface itself, where it is flat or seen from outside, and if `meshes`
+  /// the edges of meshes before the whole rectangle.
+  std::vector<Obstacle> obstacles(const Shaft& whole, bool meshes) const;
   Sight sight(const Shaft& shaft, const Obstacle& one) const;
   /// Nothing if there are too many or one of them cannot be told. `widest`: see hidden_part().
   std::optional<Cover> cover(const Shaft& shaft, std::span<const Obstacle> undecided,
                              std::size_t most_edges, double widest) const;
 
+  /// Whether any triangle may be in the way.
   bool near_triangles(const Shaft& shaft) const;
   /// Triangles alone.
   bool triangles_block(double u, double v) const;

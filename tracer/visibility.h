@@ -40,7 +40,7 @@ ShadowRay<V> shadow_ray(const Hit<V>& hit, const Incident<V>& light) {
   using R = Scalar<V>;
   constexpr R kInfinity = std::numeric_limits<R>::infinity();
   ShadowRay<V> shadow{{hit.point, light.direction, light.distance}};
-  const Mask<V> on_triangle = hit.kind == kind_value<V>(Kind::Triangle);
+  const Mask<V> on_triangle = sees(hit, Kind::Triangle);
   if (any_of(on_triangle)) {
     const Mask<V> away = dot(hit.geometric, light.direction) < R(0);
     const Vec<V> off = select(away, -hit.geometric, hit.geometric);
@@ -142,7 +142,7 @@ template <Real R, Value V, class Visit>
 bool visit_blockers(const Plan<R>& plan, const Hit<V>& hit, const ShadowRay<V>& shadow,
                     const Mask<V>& asked, const Suspects& suspects, Visit visit) {
   const auto visit_solid = [&](int, const auto& part) {
-    const Mask<V> own = hit.object == Index<V>(part.object), others = asked & !own;
+    const Mask<V> own = sees(hit, part.object), others = asked & !own;
     Mask<V> met = false;
     if (any_of(others)) {
       const Mask<V> may = others & may_meet(ball_around(part.shape), shadow.ray);
@@ -157,7 +157,7 @@ bool visit_blockers(const Plan<R>& plan, const Hit<V>& hit, const ShadowRay<V>& 
   return visit_parts(plan.spheres, suspects.spheres, visit_solid) ||
          visit_parts(plan.boxes, suspects.boxes, visit_solid) ||
          visit_parts(plan.planes, suspects.planes, [&](int, const auto& part) {
-           const Mask<V> own = hit.object == Index<V>(part.object);
+           const Mask<V> own = sees(hit, part.object);
            if (none_of(asked & !own)) return false;
            const V slope = dot(Vec<V>(part.shape.normal), shadow.ray.direction);
            const V t = intersect(part.shape, shadow.ray);
@@ -196,7 +196,8 @@ int blocking_triangle(const Plan<R>& plan, const ShadowRay<R>& shadow, int own) 
 /// The triangle that lane i of a hit is on, or -1.
 template <Value V>
 int own_triangle(const Hit<V>& hit, int i) {
-  return kind_at(hit, i) == Kind::Triangle ? int(lane(hit.index, i)) : -1;
+  const OneSurface one = surface_at(hit, i);
+  return one.kind == Kind::Triangle ? one.index : -1;
 }
 
 /// The first object found strictly between a hit and a lamp, not always the nearest: an index into

@@ -16,6 +16,7 @@
 #include "test_paths.h"
 #include "tests/scene/scratch_scene.h"
 #include "tests/tracer/scenes.h"
+#include "tracer/closest.h"
 #include "tracer/render.h"
 #include "tracer/self_check.h"
 #include "tracer/visibility.h"

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "tests/tracer/scenes.h"
+#include "tracer/closest.h"
 
 namespace litmus {
 namespace {
