@@ -164,10 +164,13 @@ Settled<V> settle_each(const Plan<R>& plan, const Hit<V>& hit) {
 /// Turns the normals of a hit towards the eye.
 template <Real R, Value V>
 void turn(const Plan<R>& plan, const Ray<V>& ray, const Settled<V>& all, Hit<V>& hit) {
-  hit.point = all.point, hit.reach = all.reach;
+  hit.point = all.point;
   const Mask<V> turned = dot(all.geometric, ray.direction) > R(0);
   hit.geometric = select(turned, -all.geometric, all.geometric);
-  hit.inside = select(turned, -all.outwards, all.outwards) < R(0);
+  if (plan.shadows || plan.idle_shadows || kLanes<V> == 1) {
+    hit.reach = all.reach;
+    hit.inside = select(turned, -all.outwards, all.outwards) < R(0);
+  }
   if (!plan.smooth) {
     if (kLanes<V> == 1) hit.normal = hit.geometric;
     return;
