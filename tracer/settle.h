@@ -123,7 +123,8 @@ Settled<V> settle(const HitTriangles<V>& on, const Hit<V>& hit) {
   return settled;
 }
 
-/// Calls use(a hit moved onto a surface); `on` are the lanes that are on it.
+/// Calls use(a hit moved onto a surface); `on` are the lanes that are on it. (A result that is
+/// returned from the cases would be copied through memory.)
 template <Real R, Value V, class Use>
 void settle_on(const Plan<R>& plan, const Hit<V>& hit, const OneSurface& one, const Mask<V>& on,
                const Use& use) {
