@@ -204,7 +204,7 @@ void add_render(Program& program) {
       .between(0, 1024);
   command
       .option("--kernel", options->kernel,
-              "packet (as wide as the processor's vectors) or scalar; the picture is the same")
+              "packet (one or two of the processor's vectors) or scalar; the picture is the same")
       .one_of(kernel_names())
       .with_default();
   command

@@ -6,7 +6,8 @@
 
 namespace litmus {
 
-/// Nearest first; of equals the object that comes first in the scene, then the lower index.
+/// Nearest first; of equals the object that comes first in the scene, then the lower index. Where
+/// there are equals, `best` is mixed.
 template <Value V>
 Mask<V> comes_before(const V& t, int object, int index, Hit<V>& best) {
   const Mask<V> nearer = t < best.t, tied = t == best.t;

@@ -27,7 +27,8 @@ struct OneSurface {
 };
 
 /// The point seen. Most packets see one surface alone, or nothing: then it is named once, and not
-/// `mixed`. What the lanes see is asked of the functions below.
+/// `mixed`. What the lanes see is asked of the functions below; where that is nothing, the rest has
+/// no meaning. (1): a packet knows that only where shadow rays are traced.
 template <Value V>
 struct Hit {
   bool mixed = kLanes<V> == 1;                 ///< kind, index and object are set
@@ -37,10 +38,10 @@ struct Hit {
   V t = std::numeric_limits<Scalar<V>>::infinity();
   V u{}, v{}, w{};         ///< triangles: barycentric weights
   Vec<V> point;            ///< on the surface itself, not just on the ray
-  V reach{};               ///< largest coordinate that the point was computed from
+  V reach{};               ///< largest coordinate that the point was computed from (1)
   Vec<V> geometric;        ///< unit normal of the surface, turned towards the eye
   Vec<V> normal;           ///< unit normal for shading, turned by itself; see shading_normal()
-  Mask<V> inside = false;  ///< of a sphere or a box, seen from within
+  Mask<V> inside = false;  ///< of a sphere or a box, seen from within (1)
 };
 
 /// Sets kind, index and object.

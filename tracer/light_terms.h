@@ -88,7 +88,8 @@ union Unset {
   Unset() {}
 };
 
-/// light_terms() of those lamps; with the task's own care, or with `doubt` (see direction_of()).
+/// light_terms() of those lamps. A bare task tells by `doubt` where a square may have over- or
+/// underflown, so that another has to be asked.
 template <std::size_t kBatch, Real R, Value V, class T>
 [[gnu::noinline, gnu::flatten]] LightTerms<V> terms_of_lamps(
     const Plan<R>& plan, const Source<R>& source, const Hit<V>& hit, const Finish<V>& finish,

@@ -10,18 +10,13 @@ namespace litmus {
 
 // ---- Point light, slide 11 -------------------------------------------------------------------
 
-/// 1 / (1 + x) for x >= 0; 1 where x is no number.
-template <Value V>
-V weakened_by(const V& x) {
-  return select(x == x, V(Scalar<V>(1) / (Scalar<V>(1) + x)), V(Scalar<V>(1)));
-}
-
 /// Linear attenuation l = R / (R + L d), slide 11, as 1 / (1 + L x) with x = d / R.
 /// x and L are dimensionless and >= 0. Exactly 1 where L = 0 or x = 0, even if the other is
 /// infinite. At most 4 ulp from quad precision for R, d in 1e-300..1e300 (float: 1e-36..1e36).
 template <Value V>
 V linear_attenuation(const V& x, const V& linear) {
-  return weakened_by(V(linear * x));
+  const Mask<V> none = (linear == Scalar<V>(0)) | (x == Scalar<V>(0));
+  return select(none, V(Scalar<V>(1)), V(Scalar<V>(1) / (Scalar<V>(1) + linear * x)));
 }
 
 /// Quadratic attenuation q = R^2 / (R^2 + Q d^2), slide 11, as 1 / (1 + (Q x) x) with x = d / R:
@@ -29,7 +24,8 @@ V linear_attenuation(const V& x, const V& linear) {
 /// At most 5 ulp from quad precision, in the same domain.
 template <Value V>
 V quadratic_attenuation(const V& x, const V& quadratic) {
-  return weakened_by(V((quadratic * x) * x));
+  const Mask<V> none = (quadratic == Scalar<V>(0)) | (x == Scalar<V>(0));
+  return select(none, V(Scalar<V>(1)), V(Scalar<V>(1) / (Scalar<V>(1) + (quadratic * x) * x)));
 }
 
 // ---- Spot light, slide 16 --------------------------------------------------------------------
@@ -113,7 +109,7 @@ template <Real R>
 struct Lamp {
   bool directional = false, attenuated = false, cone = false;
   bool everything = false;  ///< evaluate both attenuations and the cone, whether or not they matter
-  Vec<R> origin;            ///< scene units; unused by a directional lamp
+  Vec<R> origin;            ///< scene units; of a directional lamp without a meaning
   Vec<R> toward;            ///< directional: unit vector towards the light
   R range{1}, linear{}, quadratic{};
   Vec<R> axis;  ///< cone: the way the spot looks, unit

@@ -100,7 +100,9 @@ void store(const Vec<S>& color, Picture& picture, int x, int y) {
 
 /// Values side by side in a row, whose lights share one look at what may be in their way.
 template <Value V>
-inline constexpr int kStretch = kLanes<V> == 1 ? 32 : 4;
+inline constexpr int kStretch = kLanes<V> == 1   ? 32
+                                : kLanes<V> <= 8 ? 8
+                                                 : 4;
 
 /// What the loop over a row needs.
 template <Value V>

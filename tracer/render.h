@@ -23,8 +23,8 @@ std::string_view precision_name(Precision precision);
 /// the error for each pixel.
 enum class Sampler { Scene, Centres, Corners, Gauss, Jittered, R2, Certified };
 
-/// How pixels are computed: in packets as wide as the processor's vectors, or one by one. Both give
-/// the same bits; only float and double have packets.
+/// How pixels are computed: in packets of one or two of the processor's vectors, or one by one.
+/// Both give the same bits; only float and double have packets.
 enum class Kernel { Auto, Scalar, Packet };
 
 /// "auto", "scalar", "packet".

@@ -140,9 +140,10 @@ Rounded<V> cosine_of(const Vec<V>& h, const Vec<V>& n,
   return {cosine, rest};
 }
 
-/// (h.n)^ns, never above 1; 0 where h.n <= 0. The power is made of multiplications for a whole ns
-/// up to kMostWhole, else by logarithm and exponential. With cosine_of() at most 12 ulp from quad
-/// precision where it is above 1/7, for ns up to 1e6; up to 29 ulp where it is above 1/64.
+/// (h.n)^ns, never above 1; 0 where h.n <= 0, but for the rounding of h.n. The power is made of
+/// multiplications for a whole ns up to kMostWhole, else by logarithm and exponential. With
+/// cosine_of() at most 12 ulp from quad precision where it is above 1/7, for ns up to 1e6; up to 29
+/// ulp where it is above 1/64.
 template <Value V>
 V power_of_cosine(const Rounded<V>& cosine, const std::type_identity_t<Exponent<V>>& shininess) {
   using R = Scalar<V>;
@@ -170,7 +171,7 @@ Rounded<V> highlight_cosine(const Vec<V>& l, const Vec<V>& e, const Vec<V>& n,
   return cosine;
 }
 
-/// (h.n)^ns, slide 5; 0 where h.n <= 0 and for e = -l. All vectors are unit.
+/// (h.n)^ns, slide 5; 0 where h.n <= 0 (but for its rounding) and for e = -l. All vectors are unit.
 template <Value V>
 V specular_power(const Vec<V>& l, const Vec<V>& e, const Vec<V>& n,
                  const std::type_identity_t<Exponent<V>>& shininess) {
@@ -186,21 +187,22 @@ Terms<V> equation_terms(const V& l_dot_n, const V& power, const V& intensity) {
   return {select(faces, V(intensity * l_dot_n), none), select(faces, V(intensity * power), none)};
 }
 
-/// The sample code's reading: the specular term is not gated on n.l. (n.h is clamped at 0 so that
-/// it is finite.)
-template <Value V>
-Terms<V> sample_code_terms(const V& l_dot_n, const V& power, const V& intensity) {
-  const V none = Scalar<V>(0);
-  return {select(l_dot_n > none, V(intensity * l_dot_n), none), intensity * power};
-}
-
-/// The same without the gate, as smooth functions of l: D goes on below 0 where l.n does.
+/// The same of vectors, without the gate, as smooth functions of l: D goes on below 0 where l.n
+/// does.
 template <Value V>
 Terms<V> ungated_terms(const Vec<V>& l, const Vec<V>& e, const Vec<V>& n,
                        const std::type_identity_t<Exponent<V>>& shininess, const V& intensity,
                        bool wants_specular) {
   return {intensity * dot(l, n),
           wants_specular ? V(intensity * specular_power(l, e, n, shininess)) : V(Scalar<V>(0))};
+}
+
+/// The sample code's reading: the specular term is not gated on n.l. (`power` takes n.h clamped at
+/// 0, so that it is finite.)
+template <Value V>
+Terms<V> sample_code_terms(const V& l_dot_n, const V& power, const V& intensity) {
+  const V none = Scalar<V>(0);
+  return {select(l_dot_n > none, V(intensity * l_dot_n), none), intensity * power};
 }
 
 /// One channel of a matte surface's answer to one light: kd Id D, slide 5.

@@ -74,7 +74,6 @@ struct Twin {
   LITMUS_TWIN(Mask, <=)
   LITMUS_TWIN(Mask, >=)
   LITMUS_TWIN(Mask, ==)
-  LITMUS_TWIN(Mask, !=)
 #undef LITMUS_TWIN
   LITMUS_INLINE Twin& operator+=(const Twin& b) { return low += b.low, high += b.high, *this; }
   LITMUS_INLINE friend Twin operator<<(const Twin& a, int shift) {
@@ -108,9 +107,6 @@ struct Twin {
   }
   LITMUS_INLINE friend void set_lane(Twin& a, int i, T value) {
     i < kHalf ? set_lane(a.low, i, value) : set_lane(a.high, i - kHalf, value);
-  }
-  LITMUS_INLINE friend void copy_lanes(const Twin& a, T* to) {
-    copy_lanes(a.low, to), copy_lanes(a.high, to + kHalf);
   }
   LITMUS_INLINE friend void copy_interleaved(const Twin& x, const Twin& y, const Twin& z, T* to) {
     copy_interleaved(x.low, y.low, z.low, to);

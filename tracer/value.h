@@ -280,7 +280,7 @@ class Doubt {
     if constexpr (kOwnMath<R>) sure_ = sure_ & (bits_of(squared) + Bits<V>(kStep));
   }
 
-  /// Where one of the squares was not between about 2^-512 and 2^512 (float: 2^-64 and 2^64).
+  /// Where one of the squares was not from 2^-511 to 2^513 (float: 2^-63 to 2^65).
   Mask<V> where() const {
     if constexpr (kOwnMath<R>) return from_bits<V>(sure_ & Bits<V>(kStep << 1)) == R(0);
     return true;
@@ -308,7 +308,9 @@ Direction<V> direction_of(const Vec<V>& v, Doubt<V>* doubt = nullptr) {
     doubt->note(squared);
     return {unit, length};
   }
-  const Mask<V> safe = (squared > SafeSquares<R>::kSmall) & (squared < SafeSquares<R>::kLarge);
+  // The same squares as a Doubt is sure of.
+  const R least = SafeSquares<R>::kSmall / 2, most = SafeSquares<R>::kLarge * 2;
+  const Mask<V> safe = (squared >= least) & (squared < most);
   if (!all_of(safe)) {
     const Direction<V> careful = scaled_direction_of<kDivide>(v);
     unit = select(safe, unit, careful.unit), length = select(safe, length, careful.length);

@@ -59,6 +59,19 @@ TEST(Doubt, LeavesNoVectorWhosePlainDirectionDiffers) {
   }
 }
 
+TEST(Doubt, AgreesWithThePlainDirectionAtTheEndsOfItsRange) {
+  // A component that scaling would make subnormal tells which way was taken.
+  for (const double large : {0x1p255, 0x1p256, 0x1.6p256, 0x1p257}) {
+    const Vec<double> v{large, 0x1.23456789abcdep-400, 0};
+    Doubt<double> doubt;
+    const Vec<double> plain = direction_of(v, &doubt).unit;
+    if (!doubt.where()) {
+      EXPECT_EQ(plain, direction_of(v).unit) << large;
+    }
+    EXPECT_EQ(doubt.where(), large > 0x1.6p256) << large;
+  }
+}
+
 TEST(DifferenceOfProducts, KeepsTheDigitsThatPlainArithmeticCancels) {
   const double a = 1 + 0x1p-30, b = 1 - 0x1p-30;
   EXPECT_EQ(a * b - 1.0 * 1.0, 0.0);  // the control: 1 - 2^-60 rounds to 1
