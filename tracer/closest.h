@@ -92,7 +92,7 @@ void find_closest(const Plan<R>& plan, const Ray<V>& ray, const MayMeet& may_mee
     const Mask<V> nearer = (t > R(0)) & comes_before(t, object, index, best);
     if (none_of(nearer)) return nearer;
     best.t = select(nearer, t, best.t);
-    if (kLanes < V >> 1 && all_of(nearer)) {
+    if (kLanes<V> != 1 && all_of(nearer)) {
       best.one = {kind, index, object}, best.mixed = false;
       return nearer;
     }

@@ -163,6 +163,7 @@ bool may_shine(const Finish<V>& finish, const T& task, const LampLight<V>& one) 
 }
 
 /// Finds the half vector's cosine at a hit seen from the direction `eye` (unit, towards the eye).
+/// `doubt` as for direction_of().
 template <Real R, Value V, class T>
 void halve(const Plan<R>& plan, const Hit<V>& hit, const Finish<V>& finish, const Vec<V>& eye,
            const T& task, LampLight<V>& one, Doubt<V>* doubt = nullptr) {

@@ -89,7 +89,7 @@ union Unset {
 };
 
 /// light_terms() of those lamps. A bare task tells by `doubt` where a square may have over- or
-/// underflown, so that another has to be asked.
+/// underflown, so that Task has to be asked.
 template <std::size_t kBatch, Real R, Value V, class T>
 [[gnu::noinline, gnu::flatten]] LightTerms<V> terms_of_lamps(
     const Plan<R>& plan, const Source<R>& source, const Hit<V>& hit, const Finish<V>& finish,

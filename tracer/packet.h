@@ -245,8 +245,8 @@ LITMUS_INLINE inline void interleave(const Simd<T, N>& x, const Simd<T, N>& y, c
   }
 #endif
   for (int i = 0; i < N; ++i) {
-    to[3 * i] = x[std::size_t(i)], to[3 * i + 1] = y[std::size_t(i)],
-           to[3 * i + 2] = z[std::size_t(i)];
+    const auto lane = std::size_t(i);
+    to[3 * lane] = x[lane], to[3 * lane + 1] = y[lane], to[3 * lane + 2] = z[lane];
   }
 }
 

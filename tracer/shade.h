@@ -152,6 +152,7 @@ V power_of_cosine(const Rounded<V>& cosine, const std::type_identity_t<Exponent<
   return select(ahead, power, V(R(0)));
 }
 
+/// The same of the two unit vectors.
 template <Value V>
 V power_of_cosine(const Vec<V>& h, const Vec<V>& n,
                   const std::type_identity_t<Exponent<V>>& shininess) {

@@ -60,15 +60,14 @@ std::array<V3, 2> normals_of(const MeshEdge& edge) {
 
 void find_facing(EdgeTree::Node& node, std::span<const MeshEdge> edges) {
   V3 sum;
+  std::vector<V3> normals;
   for (const MeshEdge& edge : edges) {
     if (!edge.shared) return;
-    for (const V3& normal : normals_of(edge)) sum = sum + normal;
+    for (const V3& normal : normals_of(edge)) sum = sum + normal, normals.push_back(normal);
   }
   node.facing = normalize(sum);
   node.cosine = 1;
-  for (const MeshEdge& edge : edges)
-    for (const V3& normal : normals_of(edge))
-      node.cosine = std::min(node.cosine, dot(node.facing, normal));
+  for (const V3& normal : normals) node.cosine = std::min(node.cosine, dot(node.facing, normal));
 }
 
 /// Whether all triangles at a node's edges surely face the apex, or all of them face away.

@@ -290,7 +290,7 @@ void find_suspects(const Plan<R>& plan, const Source<R>& source, const Hit<V>& h
     return uncertain | (certain & lines.may_meet(shape));
   };
   const auto solid = [&](const auto& part) {
-    const Mask<V> others = asked & !(sees(hit, part.object));
+    const Mask<V> others = asked & !sees(hit, part.object);
     if (!suspects.own && none_of(others)) return false;
     return any_of((suspects.own ? asked : others) & meets(ball_around(part.shape)));
   };
@@ -299,7 +299,7 @@ void find_suspects(const Plan<R>& plan, const Source<R>& source, const Hit<V>& h
   list_parts(
       plan.planes, among.planes,
       [&](const auto& part) {
-        const Mask<V> others = asked & !(sees(hit, part.object));
+        const Mask<V> others = asked & !sees(hit, part.object);
         return any_of(others) && any_of(others & meets(part.shape));
       },
       suspects.planes);

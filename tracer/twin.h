@@ -9,6 +9,7 @@
 
 namespace litmus {
 
+/// The masks of two packets side by side.
 template <class P>
 struct TwinMask {
   using Half = Mask<P>;
